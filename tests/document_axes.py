@@ -110,8 +110,8 @@ class Axis:
         found = next((right for x, _, right in self.said[kind] if x == "F_w"), None)
         if found is None:
             return {}
-        falls = "F_s" not in found or "F_s" in self.numbers
-        return {"F_w": self.read(found, {}) if falls else self.numbers.get("c", 0.0)}
+        unstated = {"F_s": self.numbers.get("c", 0.0), "w_s": 1.0, plain(r"\mu_J"): 0.0}
+        return {"F_w": self.read(found, unstated | {"k": 0.0, plain(r"\vartheta"): self.added} | self.numbers)}
 
     def _bristles(self) -> float:
         """Friction that has an internal state, whose rate follows."""

@@ -14,6 +14,8 @@ SECTION = {"rhoA": 1.3, "EA": 4e3, "EIy": 11.0, "EIz": 17.0, "GJ": 7.0, "rhoIp":
 FRICTION = {"coulomb": 0.4, "viscous": 0.3, "velocity": 0.2}
 STICKING = {"coulomb": 0.4, "viscous": 0.3, "memory": {"stiffness": 3.0, "damping": 0.2}}
 FALLING = {"stribeck": {"static": 0.6, "velocity": 0.7}}
+LOAD = {"load": 0.3}
+GEARED_BRISTLES = STICKING | FALLING | LOAD
 BEND = {"bend": {"friction": 0.5, "velocity": 0.4}}
 FOUR_BAR = {"ground": 0.42, "crank": 0.24, "coupler": 0.46, "rocker": 0.27, "angle": -1.4, "branch": "crossed"}
 UPPER, FORE, HAND = range(3)
@@ -162,9 +164,12 @@ SLOTS: dict[str, dict[str, Change]] = {
         "geared bend": joint(
             FORE, drives=[{"rotor_inertia": 1e-3, "stiffness": 60.0, "friction": FRICTION | FALLING | BEND}]
         ),
+        "geared load": joint(
+            FORE, drives=[{"ratio": 3.0, "rotor_inertia": 1e-3, "stiffness": 60.0, "friction": FRICTION | LOAD}]
+        ),
         "bristles": joint(FORE, drives=[{"ratio": 30.0, "rotor_inertia": 1e-3, "friction": STICKING}]),
         "geared bristles": joint(
-            FORE, drives=[{"ratio": 30.0, "rotor_inertia": 1e-3, "stiffness": 60.0, "friction": STICKING | FALLING}]
+            FORE, drives=[{"ratio": 30.0, "rotor_inertia": 1e-3, "stiffness": 60.0, "friction": GEARED_BRISTLES}]
         ),
         "four-bar": joint(FORE, drives=[{"transmission": {"four_bar": FOUR_BAR}, "rotor_inertia": 0.1, "ratio": 3.0}]),
         "elastic cylinder": elastic(CYLINDER),

@@ -37,7 +37,7 @@ class Drives:
             self.inertia[place] += inertia if place != axis else ratio**2 * inertia
             friction = drive.get("friction", {})
             self.D[place, place] += friction.get("viscous", 0.0)
-            self.dry.append((place, friction))
+            self.dry.append((place, axis, drive))
             self.driven.append(place)
 
     def lengths(self, q):
@@ -97,16 +97,19 @@ class Drives:
             given, w = drive.get("friction", {}), rates[k]
             forces.append(given.get("viscous", 0.0) * w + dry_friction(given, w))
         out = ca.jtimes(lengths, q, ca.vertcat(ca.SX(0, 1), *forces), True)
-        for place, given in self.dry:
-            out[place] += dry_friction(given, v[place])
+        for place, axis, drive in self.dry:
+            ratio = drive.get("ratio", 1.0)
+            load = drive.get("stiffness", 0.0) / ratio * (q[place] / ratio - q[axis])
+            out[place] += dry_friction(drive.get("friction", {}), v[place], load)
         return out
 
 
-def dry_friction(given: dict, w):
-    """The friction of a table of the robot file at the rate w, but for what is viscous."""
+def dry_friction(given: dict, w, load=0.0):
+    """The friction of a table of the robot file at the rate w, but for what is viscous; `load`: on the rotor."""
     size = given.get("coulomb", 0.0)
     if falling := given.get("stribeck"):
         size += (falling["static"] - size) * ca.exp(-((w / falling["velocity"]) ** 2))
+    size += given.get("load", 0.0) * ca.fabs(load)
     smooth = lambda size, velocity: size * w / ca.sqrt(w**2 + velocity**2)  # noqa: E731
     bend = given.get("bend", {"friction": 0.0, "velocity": 1.0})
     return smooth(size, given.get("velocity", 1.0)) + smooth(bend["friction"], bend["velocity"])

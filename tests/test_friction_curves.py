@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 
 import screwgen
 from screwgen.algorithms.law_programs import forces, replayed, secants
-from screwgen.elements import BEND, FALLING
+from screwgen.elements import BEND, FALLING, FALLING_LOADED, LOADED
 from screwgen.interchange.urdf_write import export_urdf
 from screwgen.simulation.integrate import JointState, JointStepper
 from screwgen.spec.parameters import parameters
@@ -66,12 +66,13 @@ def test_steady_rates_of_bristles_meet_it_too():
         assert abs(zdot) <= 1e-12 * abs(w) and -a * INERTIA == pytest.approx(curve(w, CURVE, False), rel=1e-12)
 
 
-@pytest.mark.parametrize("law", [FALLING, BEND], ids=lambda law: law.name)
+@pytest.mark.parametrize("law", [FALLING, LOADED, FALLING_LOADED, BEND], ids=lambda law: law.name)
 def test_it_never_gives_energy(law):
     """In 10,000 states with numbers of their own, also where friction rises, and so for what steps take."""
     rng, names = np.random.default_rng(3), list(law.constants)
-    numbers = 10.0 ** rng.uniform(-6, 6, (4, 10_000))
-    given = dict(zip(names, law.prepared(*numbers[: len(names)]), strict=True))
+    numbers = 10.0 ** rng.uniform(-6, 6, (7, 10_000))
+    given = dict(zip(names, law.prepared(*numbers[: len(names) + law.beside]), strict=True))
+    given |= {"axis": rng.normal(size=10_000)} if law.beside else {}
     w, there = rng.choice([-1.0, 1.0], (2, 10_000)) * 10.0 ** rng.uniform(-8, 6, (2, 10_000))
     found = replayed(forces(law, (1,)), given | {"x": 0.0 * w, "w": w})
     assert np.all(found["force"] * w >= 0) and np.isfinite(found["by_w"]).all()

@@ -16,6 +16,7 @@ GIVEN = {"q", "v", "tau", "w_ext", "kp", "kd", "tau_max", "duration", "force_inp
 """Not in a robot file."""
 
 KEYS = {
+    "friction by load": r"\bload = ",
     "dimension": "outer = ",
     "frequency": r"frequencies = \{ bending_y = \[",
     "damping ratio": "ratio = ",
@@ -54,6 +55,7 @@ DRIVE = "ratio = 9.0, rotor_inertia = 1e-4, stiffness = 1e4, friction = { coulom
 DRIVEN = GOOD.replace(FREE, f"{FREE}, drives = {{ {DRIVE} }}")
 BRISTLES = "coulomb = 1.0, memory = { stiffness = 9.0 }, stribeck = { static = 2.0, velocity = 0.1 }"
 BRUSHED = GOOD.replace(FREE, f"{FREE}, drives = {{ friction = {{ {BRISTLES} }} }}")
+TEXTS["friction by load"] = DRIVEN.replace("velocity = 1.0 }", "velocity = 1.0, load = 0.1 }")
 TEXTS |= dict.fromkeys(("static friction", "bristle stiffness"), BRUSHED)
 TEXTS |= dict.fromkeys(("ratio", "rotor inertia", "gear stiffness", "coulomb", "velocity"), DRIVEN)
 TEXTS |= dict.fromkeys(

@@ -25,11 +25,15 @@ class LawsOfLink(NamedTuple):
 
 
 class LawsOfRobot(NamedTuple):
-    """A law, the coordinates on which it acts, as numbers among the given ones (``n_given``), and the side of each."""
+    """A law, the coordinates on which it acts, as numbers among the given ones (``n_given``), and the side of each.
+
+    ``axes``: the axes that elastic gears join to these, of a law that depends on them.
+    """
 
     law: Law
     coordinates: list[int]
     sides: list[int]
+    axes: list[int]
 
 
 def of_link(key: LinkClass) -> list[LawsOfLink]:
@@ -40,7 +44,12 @@ def of_link(key: LinkClass) -> list[LawsOfLink]:
 
 def of_robot(chain: Chain) -> list[LawsOfRobot]:
     """The laws that act in a robot, link by link."""
-    return [LawsOfRobot(law, [x.coordinate for x in own], [x.side for x in own]) for law, own in chain.laws.items()]
+    return [
+        LawsOfRobot(
+            law, [x.coordinate for x in own], [x.side for x in own], [x.axis for x in own if x.axis is not None]
+        )
+        for law, own in chain.laws.items()
+    ]
 
 
 def columns_of(s: Scope) -> Iterator[tuple[str, list[Value]]]:
@@ -73,7 +82,7 @@ def axis_energy(s: Scope, q: Vector) -> Value:
     for k, one in enumerate(s.key.internal):
         z, constants = s.read("z")[k], _constants(s, one.law, one.labels)
         assert one.law.bristle is not None
-        bent = one.law.bristle(s.tracer, float(one.side), 0.0, 0.0, z, *constants)
+        bent = one.law.bristle(s.tracer, float(one.side), 0.0, 0.0, z, *[0.0] * one.law.beside, *constants)
         total = total + bent.stiffness * (z * z)
     for law, _, axis, side, labels in _on_axes(s):
         total = total + law.energy(s.tracer, float(side), q[axis], *_constants(s, law, labels))

@@ -172,6 +172,7 @@ class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, 
             given |= (
                 {"z": [z for z, own in zip(x["z"], key.internal, strict=True) if own.law == law]} if law.state else {}
             )
+            given |= {"axis": [x["q"][key.added_axes[n]] for _, n in places]} if law.beside else {}
             found = self.apply(i, -1, forces(law, sides), given)
             for k, place in enumerate(places):
                 yield ActingLaw(law, place, k, {name: values[k] for name, values in found.items()})

@@ -18,9 +18,11 @@ from ..ir.replay import run
 def forces(law: Law, sides: tuple[int, ...]) -> Program:
     """``(x, w, constants) -> (force, by_x, by_w)`` of coordinates with these sides, and the derivatives.
 
-    Of a law with a state ``(x, w, z, constants) -> (force, by_x, by_w, by_z, rate, rate_x, rate_w, rate_z)``.
+    Of a law with a state ``(x, w, z, constants) -> (force, by_x, by_w, by_z, rate, rate_x, rate_w, rate_z)``. One that
+    depends on an axis besides has its coordinate ``axis`` behind these, and the slopes by it.
     """
-    tracer, names = Tracer(), (*MOTION_OF[law.state is not None], *law.constants)
+    motions = ("x", "w", *_more(law))
+    tracer, names = Tracer(), (*motions, *law.constants)
     inputs = [tracer.input(name, len(sides)) for name in names]
     out: dict[str, list[Value]] = {}
     for side, *given in zip(sides, *inputs, strict=True):
@@ -33,18 +35,21 @@ def forces(law: Law, sides: tuple[int, ...]) -> Program:
             values = {"force": own.stiffness * motion[2] + own.damping * rate, "rate": rate}
         for name, value in values.items():
             slopes = (column[0] for column in columns([value], motion))
-            parts = zip(("", *("x", "w", "z")[: len(motion)]), (value, *slopes), strict=True)
+            parts = zip(("", *motions), (value, *slopes), strict=True)
             for by, part in parts:
                 out.setdefault(f"{SLOPE[name]}_{by}" if by else name, []).append(part)
     return tracer.program(law.name, dict.fromkeys(names, len(sides)), out)
 
 
-MOTION_OF = ("x", "w"), ("x", "w", "z")
-"""What a law depends on besides its constants: without, and with a state."""
 SLOPE = {"force": "by", "rate": "rate"}
 
 STAGE = ("side", "x", "w", "there", "h")
-"""The inputs of a stage besides the constants, and of a law with a state this, `z`, at the start."""
+"""The inputs of a stage besides the constants. A law with a state has this, `z`, at the start, and one that depends on
+an axis besides the coordinate of this, `axis`."""
+
+
+def _more(law: Law) -> tuple[str, ...]:
+    return (*["z"] * (law.state is not None), *["axis"] * law.beside)
 
 
 @cache
@@ -68,7 +73,7 @@ def stage(law: Law) -> Program:
 def stage_slopes(law: Law) -> Program:
     """``(STAGE, constants, a) -> (by_x, by_w, by_there)`` of that force at a given acceleration ``a``, all of it.
 
-    Of a law with a state ``by_z`` besides.
+    Of a law with a state ``by_z`` besides, of one that depends on an axis ``by_axis``.
     """
     tracer, inputs = _stage(law)
     force, inertia = _later(law, tracer, inputs)
@@ -85,7 +90,7 @@ def state_rate(law: Law) -> Program:
 
 @cache
 def state_slopes(law: Law) -> Program:
-    """``(STAGE, constants, a) -> (rate_x, rate_w, rate_there, rate_z, rate_a)`` of that rate."""
+    """``(STAGE, constants, a) -> (rate_x, rate_w, rate_there, rate_z, rate_a)`` of that rate, and ``rate_axis``."""
     tracer, inputs = _stage(law)
     rate, a = _rate(law, tracer, inputs), tracer.input("a", 1)[0]
     out = _slopes(law, rate, inputs, "rate") | {"rate_a": columns([rate], [a])[0]}
@@ -121,7 +126,7 @@ def _bristle(law: Law, tracer: Tracer, inputs: Sequence[Value]) -> tuple[Bristle
 
 def _slopes(law: Law, value: Value, inputs: Sequence[Value], word: str) -> dict[str, list[Value]]:
     """The derivatives of a value of a stage with coordinate, rates and state."""
-    names = ("x", "w", "there", *["z"] * (law.state is not None))
+    names = ("x", "w", "there", *_more(law))
     found = columns([value], [dict(zip(_sizes(law), inputs, strict=True))[name] for name in names])
     return {f"{word}_{name}": column for name, column in zip(names, found, strict=True)}
 
@@ -132,7 +137,7 @@ def _stage(law: Law) -> tuple[Tracer, list[Value]]:
 
 
 def _sizes(law: Law) -> dict[str, int]:
-    return dict.fromkeys((*STAGE, *["z"] * (law.state is not None), *law.constants), 1)
+    return dict.fromkeys((*STAGE, *_more(law), *law.constants), 1)
 
 
 def _later(law: Law, tracer: Tracer, inputs: Sequence[Value]) -> tuple[Value, Value]:

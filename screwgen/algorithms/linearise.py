@@ -204,6 +204,7 @@ def _axes(f: Functions, q: Sequence, v: Sequence, out: Slopes) -> None:
     chain, first = f.chain, f.chain.eta_v - f.chain.n_added
     added, state = enumerate(chain.added_joints, first), f.motion(q, v)
     coordinates = {one.law: iter(one.coordinates) for one in of_robot(chain)}
+    axes = {one.law: iter(one.axes) for one in of_robot(chain)}
     internal = {law: iter(own) for law, own in chain.internal.items()}
     for i, key in enumerate(chain.keys):
         own = f.constants[i]
@@ -223,6 +224,11 @@ def _axes(f: Functions, q: Sequence, v: Sequence, out: Slopes) -> None:
                 row = z - chain.nv
                 out.f_z[place, row], out.z_q[row, place] = found["by_z"], found["rate_x"]
                 out.z_v[row, place], out.z_v[row, z] = found["rate_w"], found["rate_z"]
+            if acting.law.beside:
+                axis = next(axes[acting.law]) + chain.base_v
+                out.f_q[place, axis] = out.f_q[place, axis] + found["by_axis"]
+                if acting.law in chain.internal:
+                    out.z_q[row, axis] = found["rate_axis"]
 
 
 def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]], own: bool) -> list[Sequence[Value]]:

@@ -11,7 +11,10 @@ from .effort import EffortLimit as EffortLimit
 from .four_bar import FourBarLinkage as FourBarLinkage
 from .friction import BEND as BEND
 from .friction import FALLING as FALLING
+from .friction import FALLING_LOADED as FALLING_LOADED
 from .friction import FRICTION as FRICTION
+from .friction import LOADED as LOADED
+from .friction import Size as Size
 from .gear import ROTOR as ROTOR
 from .held import HeldLaw as HeldLaw
 from .law import Bristle as Bristle
@@ -23,7 +26,10 @@ from .spring import Spring
 from .stop import STOP as STOP
 from .travel import Travel as Travel
 
-LAWS_OF_KEYS: tuple[Law, ...] = (FRICTION, STOP, FALLING, BEND, *map(BristleFriction, (False, True)))
+SIZES = tuple(Size(falls, loaded) for loaded in (False, True) for falls in (False, True))
+"""What the size of dry friction may depend on."""
+
+LAWS_OF_KEYS: tuple[Law, ...] = (FRICTION, STOP, FALLING, LOADED, FALLING_LOADED, BEND, *map(BristleFriction, SIZES))
 """The laws of what drives and limits state; others are those of elements."""
 
 KINDS: dict[str, type[AxisElement]] = {one.KIND: one for one in (Spring,)}

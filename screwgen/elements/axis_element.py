@@ -80,6 +80,7 @@ class ElementLaw:
 
     kind: type[AxisElement]
     positional: bool = True
+    beside: ClassVar[bool] = False
 
     @property
     def name(self) -> str:

@@ -113,10 +113,10 @@ $$
 )
 
 
-def equations(falls: bool, bends: bool) -> str:
-    """The section of drives in documents; ``falls``, ``bends``: see :func:`.friction.formula`."""
-    text = EQUATIONS.replace("FRICTION", friction.formula(falls, bends))
-    return text.replace("CONSTANT", " and $F_w = c$ where it states no $F_s$" * falls)
+def equations(size: friction.Size, bends: bool) -> str:
+    """The section of drives in documents; ``size``, ``bends``: see :func:`.friction.formula`."""
+    text = EQUATIONS.replace("FRICTION", friction.formula(size, bends))
+    return text.replace("CONSTANT", friction.unstated(size))
 
 
 def travel_equations(kinds: Sequence[Travel]) -> str:

@@ -83,6 +83,13 @@ class Law(Hashable, Protocol):
         """What comments say of how a step takes it, at length and in short; empty where it is the tangents."""
 
     @property
+    def beside(self) -> bool:
+        """Whether it depends besides on the axis that drives its coordinate, a rotor's by an elastic gear.
+
+        The coordinate of that axis then stands before the constants.
+        """
+
+    @property
     def positional(self) -> bool:
         """Whether it depends on the coordinate, not on the rate alone."""
 

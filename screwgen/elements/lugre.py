@@ -12,15 +12,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from .friction import FALLING_KEYS, FALLING_SIZE, SIZE_SYMBOL, size
+from .friction import PLAIN, SIZE_SYMBOL, Size, unstated, written_size
 from .law import Bristle, Key, Value
 
 
 @dataclass(frozen=True)
 class BristleFriction:
-    """The law, called LuGre's; ``stribeck``: whether its size falls with the rate. Its state is z."""
+    """The law, called LuGre's, of friction of a size that may fall with the rate or grow with load. Its state is z."""
 
-    stribeck: bool = False
+    size: Size = PLAIN
 
     words: ClassVar[str] = "friction of bristles"
     notes: ClassVar[tuple[str, str]] = (
@@ -33,8 +33,12 @@ class BristleFriction:
     state_name: ClassVar[str] = "friction_state"
 
     @property
+    def beside(self) -> bool:
+        return self.size.loaded
+
+    @property
     def name(self) -> str:
-        return "bristles" + "_of_stribeck" * self.stribeck
+        return f"bristles{self.size.suffix}"
 
     @property
     def table(self) -> Mapping[str, Key]:
@@ -42,9 +46,7 @@ class BristleFriction:
         stiffness = Key("N·m/rad", "N/m", "stiffness of the bristles of friction", "\\sigma_0", "positive")
         damping = Key("N·m·s/rad", "N·s/m", "damping of these bristles", "\\sigma_1", "non-negative")
         keys = {"stiffness": stiffness, "damping": damping}
-        keys |= {"coulomb": Key("N·m", "N", "dry friction while they slip", "c", "positive")}
-        if self.stribeck:
-            keys |= FALLING_KEYS
+        keys |= {"coulomb": Key("N·m", "N", "dry friction while they slip", "c", "positive")} | dict(self.size.keys)
         return {f"{self.name}_{key}": own for key, own in keys.items()}
 
     @property
@@ -52,16 +54,18 @@ class BristleFriction:
         return tuple(self.table)
 
     def prepared(self, *numbers: Value) -> tuple[Value, ...]:
-        return numbers
+        return *numbers[:3], *self.size.prepared(*numbers[3:])
 
     def force(self, t: Any, side: Value, x: Value, w: Value, *constants: Value) -> Value:
         """It has `bristle` in its place."""
         raise NotImplementedError
 
     def bristle(self, t: Any, side: Value, x: Value, w: Value, z: Value, *constants: Value) -> Bristle:
-        stiffness, damping, coulomb, *falling = constants
+        axis, (stiffness, damping, *size) = constants[: self.beside], constants[self.beside :]
         rate = t.named("speed", w * (t.call("on", w) - t.call("on", -w)))
-        return Bristle(stiffness, damping, 1.0, t.named("decay", stiffness * rate / size(t, w, coulomb, *falling)))
+        return Bristle(
+            stiffness, damping, 1.0, t.named("decay", stiffness * rate / self.size.at(t, x, w, *axis, *size))
+        )
 
     def energy(self, t: Any, side: Value, x: Value, *constants: Value) -> Value:
         """None of the coordinate; that of the bristles is theirs."""
@@ -79,10 +83,10 @@ SYMBOLS = (
 """Symbol, meaning, unit of what documents name, and whether it is a state."""
 
 
-def equations(falls: bool, bends: bool) -> str:
-    """Its section in documents; ``falls``, ``bends``: whether any of it falls with the rate, and any friction bends."""
+def equations(size: Size, bends: bool) -> str:
+    """Its section in documents; ``size``: of any of it; ``bends``: whether any friction does."""
     text = EQUATIONS.replace("BEND", r" + \frac{c_b\,w}{\sqrt{w^2 + v_b^2}}" * bends)
-    return text.replace("SIZE", FALLING_SIZE if falls else "c") + CONSTANT * falls + STORED
+    return text.replace("SIZE", written_size(size)) + f"{unstated(size).lstrip()}. " * size.falls + STORED
 
 
 EQUATIONS = (
@@ -97,7 +101,6 @@ $$
 
 """
 )
-CONSTANT = "and $F_w = c$ where it states no $F_s$. "
 STORED = r"""While the bodies stick this is a spring with a damper. Where they slip at a steady rate, $\dot{z} = 0$ and
 the dry part is $F_w$ against the motion. The potential $\sigma_0\,z^2/2$ is stored.
 """

@@ -29,6 +29,7 @@ class Stop:
         'Stops are those on a way at the rates of s or "there".',
     )
     positional: bool = True
+    beside: ClassVar[bool] = False
     bristle: ClassVar[None] = None
     state: ClassVar[None] = None
     state_name: ClassVar[str] = ""

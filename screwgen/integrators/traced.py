@@ -39,10 +39,11 @@ class TracedAccelerations:
         times = chain.modal_product
         inertia, force = M + h * (D + h * K), times(K, x + h * rate) + times(D, rate)
         remembering = []
-        for law, coordinates, sides in of_robot(chain):
+        for law, coordinates, sides, axes in of_robot(chain):
             for k, (i, side) in enumerate(zip(coordinates, sides, strict=True)):
                 given = {name: [self.properties[name][k]] for name in law.constants}
                 given |= {"side": [float(side)], "x": [x[i]], "w": [rate[i]], "there": [later[i]], "h": [h]}
+                given |= {"axis": [x[axes[k]]]} if axes else {}
                 if law in chain.internal:
                     given |= {"z": [v[chain.internal[law][k]]]}
                     remembering.append((chain.internal[law][k], law, rates.start + i, given))

@@ -173,7 +173,7 @@ class Linearised:
         at_q, at_v = there or (q, v)
         force = own.slopes.force(own.of_rates(q), own.of_rates(v), h)
         if own.laws:
-            force = force + own.softened(own.of(self.q), *map(own.of_rates, (self.v, self._felt(h), at_v)))
+            force = force + own.softened(own.of(self.q), *map(own.of_rates, (self.v, self._felt(h), at_v, q)))
         return a.q @ at_q + a.v @ at_v + a.tau @ self.gains + a.force @ force
 
     def _felt(self, h: float) -> np.ndarray:

@@ -24,6 +24,7 @@ ROTOR = Stated(
     *("rotor inertia", "inertia of the rotor", "; of slides and cylinders without ratio the mass that moves along"),
     sliding="mass that moves with the drive",
 )
+LOAD = "; of an elastic gear, whose stretch tells it"
 GEAR = Stated(
     *("gear stiffness", "stiffness of the gear at the joint", "; of a cylinder along it; without it the gear is rigid")
 )
@@ -61,7 +62,8 @@ FRICTION_TABLES: dict[str, type[Part]] = {"memory": FrictionMemory, "stribeck": 
 class Friction(Part):
     """Dry and viscous friction, `(viscous + coulomb / sqrt(w² + velocity²)) w` at the rate w.
 
-    With `stribeck` dry friction falls with the rate, and with `bend` a term of the same form is added.
+    With `stribeck` dry friction falls with the rate, and with `bend` a term of the same form is added. With `load` it
+    grows with the torque by which the stretch of an elastic gear loads the rotor, `load stiffness/ratio |θ/ratio - q|`.
     With `memory` dry friction has a state of its own, sticks truly, and needs no `velocity` to smooth its sign.
 
     It acts on what the torque acts on: on the rotor (N·m, N·m·s/rad, rad/s) of an elastic drive, on the cylinder of a
@@ -71,6 +73,9 @@ class Friction(Part):
     coulomb: Annotated[float, Stated("coulomb", "dry friction", ROTOR_ALWAYS_TURNS)] | None = None
     viscous: Annotated[float, Stated("damping", "viscous friction", ROTOR_ALWAYS_TURNS)] | None = None
     velocity: Annotated[float, Stated("velocity", "rate over which dry friction changes its sign")] | None = None
+    load: Annotated[float, Stated("friction by load", "dry friction by the torque that loads a rotor", LOAD)] | None = (
+        None
+    )
     memory: FrictionMemory | None = Field(
         None, description="of dry friction with bristles, as { stiffness = …, damping = … }"
     )
@@ -81,6 +86,8 @@ class Friction(Part):
     def _dry_over_a_velocity(self) -> Self:
         if self.coulomb is None and self.viscous is None and self.bend is None:
             raise refuse("states no friction; give { coulomb = …, velocity = … }, viscous, or both")
+        if self.coulomb is None and self.load is not None:
+            raise refuse("is stated without coulomb, to which it adds; state it, 0 if there is none", at=("load",))
         if self.memory is not None:
             self._checked_memory()
         elif self.coulomb is None and self.stribeck is not None:
@@ -102,7 +109,7 @@ class Friction(Part):
 
     def without_internal_states(self) -> Self:
         """The friction without its dry part where that remembers."""
-        none = {"coulomb": None, "memory": None, "stribeck": None}
+        none = dict.fromkeys(("coulomb", "load", "memory", "stribeck"))
         return self.model_copy(update=none if self.memory else {})
 
     @property
@@ -140,6 +147,11 @@ class Drive(Part):
     def elastic(self) -> bool:
         """Whether the rotor has a coordinate of its own."""
         return self.stiffness is not None
+
+    def rigid(self) -> Self:
+        """The drive with a rigid gear, whose load is not known."""
+        friction = self.friction and self.friction.model_copy(update={"load": None})
+        return self.model_copy(update={"stiffness": None, "damping": None, "friction": friction})
 
     @property
     def travel(self) -> Travel | None:
@@ -185,7 +197,21 @@ class Drive(Part):
         if self.transmission is not None and self.friction and self.friction.memory:
             what = f"is stated of a {self.transmission.kind.SHORT}, whose friction has none"
             raise refuse(f"{what}; leave it out and state velocity", at=("friction", "memory"))
+        self._checked_load()
         return self
+
+    def _checked_load(self) -> None:
+        """Refuse friction by a load that no stretch of a gear tells."""
+        if self.friction is None or self.friction.load is None:
+            return
+        if self.transmission is not None:
+            what = f"is stated of a {self.transmission.kind.SHORT}, whose friction does not know the load"
+            raise refuse(f"{what}; leave it out", at=("friction", "load"))
+        if not self.elastic:
+            what = "is stated of a rigid gear, which has no stretch that tells the load"
+            raise refuse(
+                f"{what}; state the gear's stiffness and rotor_inertia, or leave it out", at=("friction", "load")
+            )
 
 
 def check(drives: Sequence[Drive], screws: Sequence[Screw], armature: Sequence[float] | None) -> None:

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ..elements import BEND, FALLING, FRICTION, BristleFriction, Law, Travel
+from ..elements import BEND, FALLING, FALLING_LOADED, FRICTION, LOADED, BristleFriction, Law, Size, Travel
 from .axis_laws import SIDES
 from .drive import FRICTION_TABLES, NO_FRICTION
 from .joint import Joint
+
+DRY = {law.size: law for law in (FRICTION, FALLING, LOADED, FALLING_LOADED)}
+"""Dry friction without bristles, by what its size depends on."""
 
 
 @dataclass(frozen=True)
@@ -24,6 +27,7 @@ class DriveClass:
     memory: bool = False
     damped_bristles: bool = False
     stribeck: bool = False
+    load: bool = False
     bend: bool = False
     travel: Travel | None = None
     """Its transmission, if its ratio depends on the posture."""
@@ -34,14 +38,20 @@ class DriveClass:
         return self.stiffness
 
     @property
+    def size(self) -> Size:
+        """What the size of its dry friction depends on."""
+        return Size(self.stribeck, self.load)
+
+    @property
     def frictions(self) -> Iterator[tuple[Law, tuple[str | None, ...]]]:
         """The laws of its friction but for what is viscous, and the numbers that each is made of, None for zero."""
-        falling = ("stribeck_static", "stribeck_velocity") * self.stribeck
+        own = ("stribeck_static", "stribeck_velocity") * self.stribeck
+        own += ("load", "stiffness", *["ratio"] * self.ratio) * self.load
         if self.memory:
             damping = "memory_damping" if self.damped_bristles else None
-            yield BristleFriction(self.stribeck), ("memory_stiffness", damping, "coulomb", *falling)
+            yield BristleFriction(self.size), ("memory_stiffness", damping, "coulomb", *own)
         elif self.coulomb:
-            yield FALLING if self.stribeck else FRICTION, ("coulomb", "velocity", *falling)
+            yield DRY[self.size], ("coulomb", "velocity", *own)
         if self.bend:
             yield BEND, ("bend_friction", "bend_velocity")
 
@@ -60,7 +70,9 @@ def drive_classes(joint: Joint) -> tuple[DriveClass, ...]:
     for drive in joint.drives or ():
         friction = drive.friction or NO_FRICTION
         stated = {name: getattr(drive, name) is not None for name in ("ratio", "rotor_inertia", "stiffness", "damping")}
-        stated |= {name: getattr(friction, name) is not None for name in ("coulomb", "viscous", *FRICTION_TABLES)}
+        stated |= {
+            name: getattr(friction, name) is not None for name in ("coulomb", "viscous", "load", *FRICTION_TABLES)
+        }
         stated["damped_bristles"] = friction.memory is not None and friction.memory.damping is not None
         out.append(DriveClass(**stated, travel=drive.travel))
     return tuple(out) if any(drive != DriveClass() for drive in out) else ()

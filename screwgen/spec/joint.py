@@ -171,7 +171,7 @@ class Joint(Part):
 
     def rigid(self) -> Self:
         """The joint with rigid gears in place of elastic ones."""
-        rigid = tuple(x.model_copy(update={"stiffness": None, "damping": None}) for x in self.drives or ())
+        rigid = tuple(x.rigid() for x in self.drives or ())
         return self.model_copy(update={"drives": rigid} if rigid else {})
 
     def without_internal_states(self) -> Self:

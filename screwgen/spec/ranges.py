@@ -83,6 +83,7 @@ RANGES = {
     "rotor inertia": Range(positive, 1e-12, 1e12, "kg·m² or kg"),
     "gear stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "coulomb": Range(non_negative, 1e-12, 1e12, "N·m or N"),
+    "friction by load": Range(non_negative, 1e-12, 1e6, "1"),
     "static friction": Range(positive, 1e-12, 1e12, "N·m or N"),
     "bristle stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "limit": Range(number, 0.0, 1e6, "rad or m"),

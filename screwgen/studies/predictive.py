@@ -73,6 +73,7 @@ def ranges(model: RobotModel, f: Fitted, B: np.ndarray) -> np.ndarray:
             for w in np.outer([-1.0, 1.0], np.geomspace(1e-9, 1.0, 37) * fastest[f.nq + place.coordinate]).ravel():
                 given = {"x": [f.rest.q[place.coordinate]], "w": [w], "z": [0.0]}
                 given |= {name: [own[name][k]] for name in law.constants}
+                given |= {} if place.axis is None else {"axis": [f.rest.q[place.axis]]}
                 found = run(forces(law, (place.side,)), given, on_arrays)[0]
                 rate, decay = found["rate"][0], -found["rate_z"][0]
                 steady = abs(rate) / decay if decay > 0 else FREE * (rate != 0)

@@ -16,11 +16,15 @@ from .joint_coordinates import JointCoordinates
 
 
 class LawPlace(NamedTuple):
-    """Where a law acts: the link, the coordinate as its number among the last ``n_given``, the side there."""
+    """Where a law acts: the link, the coordinate as its number among the last ``n_given``, the side there.
+
+    ``axis``: the number of the axis that an elastic gear joins to this coordinate, of a law that depends on it.
+    """
 
     link: int
     coordinate: int
     side: int
+    axis: int | None = None
 
 
 class LawCoordinates(JointCoordinates):
@@ -39,7 +43,8 @@ class LawCoordinates(JointCoordinates):
         offsets = {"q": self.tau_offset, "theta": self.theta_offset}
         for i, key in enumerate(self.keys):
             for law, part, place, side, _ in key.laws:
-                found.setdefault(law, []).append(LawPlace(i, places[part] + offsets[part][i] + place, side))
+                axis = self.tau_offset[i] + key.added_axes[place] if law.beside else None
+                found.setdefault(law, []).append(LawPlace(i, places[part] + offsets[part][i] + place, side, axis))
         return {law: acted for law, acted in found.items() if acted}
 
     def acted(self, law: Law) -> list[LawPlace]:

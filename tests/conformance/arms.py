@@ -51,6 +51,7 @@ DRIVES: dict[str, dict] = {
     "elastic gear": ROTOR | GEAR,
     "friction": {"friction": FALLING},
     "geared friction": ROTOR | GEAR | {"friction": FRICTION | BEND},
+    "loaded friction": ROTOR | GEAR | {"friction": FALLING | {"load": 0.4}},
     "bristles": {"friction": BRISTLES | BEND},
     "cylinder": {"ratio": 30.0, "rotor_inertia": 2e-3, "friction": FALLING, "transmission": TRANSMISSIONS["cylinder"]},
     "four-bar": ROTOR | {"friction": FRICTION, "transmission": TRANSMISSIONS["four-bar"]},

@@ -60,6 +60,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "elastic gear": "an elastic gear",
         "friction": "dry and viscous friction of a drive, which falls and bends",
         "geared friction": "friction behind an elastic gear, dry, viscous and with a bend",
+        "loaded friction": "friction behind an elastic gear that grows with its load, and falls",
         "bristles": "friction that remembers, an internal state",
         "cylinder": "a cylinder",
         "four-bar": "a four-bar linkage",
@@ -138,6 +139,7 @@ APART: dict[tuple[str, str], dict[str, str]] = {
 """Pairs that stand in a row of their own, with its other levels: with them the array would choose all rows anew."""
 
 LATER: dict[str, str] = {
+    "loaded friction": "drive",
     "bristles": "drive",
     "given motion": "axis",
     "brakes": "axis",

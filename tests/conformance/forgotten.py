@@ -275,6 +275,8 @@ TABLE: list[Mutant] = [
     M("geared friction", "judge", "screwgen/spec/drive_class.py",
       "        if self.bend:\n", "        if self.bend and not self.elastic:\n"),
     M("friction", "document", "screwgen/elements/friction.py", "{dry}{bend}", "{dry}"),
+    M("loaded friction", "derivatives", ALGORITHMS + "linearise.py",
+      'out.f_q[place, axis] + found["by_axis"]', "out.f_q[place, axis]"),
     # ------------------------------------------------------------------------------------------- internal states
     M("bristles", "judge", ALGORITHMS + "axis_laws.py", "        total = total + bent.stiffness * (z * z)\n", ""),
     M("bristles", "derivatives", "screwgen/backends/numpy/numeric.py",

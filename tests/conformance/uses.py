@@ -101,6 +101,7 @@ def energy(case: Case) -> None:
         "passive",
         "friction",
         "geared friction",
+        "loaded friction",
         "bristles",
         "ratio",
         "time",

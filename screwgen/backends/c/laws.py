@@ -23,16 +23,18 @@ RESULTS = {
     "by_x": "by_q[i * ($$_NV + 1)]",
     "by_w": "by_v[i * ($$_NV + 1)]",
     "by_there": "by_there[i * ($$_NV + 1)]",
+    "by_axis": "by_q[i * $$_NV + $$_NV - $$_NGIVEN + AXIS[k]]",
     "by_z": "by_v[i * $$_NVZ + $$_NV + STATE[k]]",
     "rate": "vdot[at]",
     "rate_x": "by_q[at * $$_NV + i]",
     "rate_w": "by_v[at * $$_NVZ + i]",
+    "rate_axis": "by_q[at * $$_NV + $$_NV - $$_NGIVEN + AXIS[k]]",
     "rate_there": "by_there[at * $$_NVZ + i]",
     "rate_z": "by_v[at * $$_NVZ + at]",
     "rate_a": "follow[STATE[k]]",
 }
 """Where the results are added."""
-LOCAL = {name: name for name in (*STAGE, "z")} | {"h": "dt", "there": "w_there", "a": "vdot[i]"}
+LOCAL = {name: name for name in (*STAGE, "z", "axis")} | {"h": "dt", "there": "w_there", "a": "vdot[i]"}
 """The C names of the inputs of a stage."""
 TAKEN = frozenset(
     "at follow states z c k i m f q qdot theta thetadot rotor rotors s dt vdot by_q by_v by_there".split()
@@ -42,7 +44,8 @@ TAKEN = frozenset(
 def content(chain: Chain) -> list[dict]:
     """The laws for the templates.
 
-    ``at``, ``side``: coordinates and sides; ``on_added``: whether some are those that gears add; ``terms`` and
+    ``at``, ``side``: coordinates and sides; ``axes``: the axes that elastic gears join to these, if it depends on them;
+    ``on_added``: whether some are those that gears add; ``terms`` and
     ``lane_terms``: the body of the loop that adds force and inertia, of numbers and of lanes; ``slopes``: of that which
     adds the derivatives; ``reads``: which of the stage's inputs they need; ``columns``: the members of the constants,
     each with its comment; ``refused``: what their entries may not be.
@@ -62,6 +65,7 @@ def _law(chain: Chain, one: LawsOfRobot) -> dict:
         "name": one.law.name.upper(),
         "words": one.law.words,
         "at": one.coordinates,
+        "axes": one.axes,
         "side": one.sides,
         "on_added": any(k >= chain.n_joints for k in one.coordinates),
         "terms": _body(Writer, terms),
@@ -94,15 +98,16 @@ def _internal(chain: Chain, one: LawsOfRobot) -> dict:
     if one.law not in chain.internal:
         return {"internal": []}
     rates, slopes = state_rate(one.law), state_slopes(one.law)
-    names = (*STAGE, "z")
+    names = (*STAGE, "z", "axis")
     return {
         "internal": [k - chain.nv for k in chain.internal[one.law]],
         "rates": _body(Writer, rates, adding=frozenset()),
         "lane_rates": _body(LaneWriter, rates, adding=frozenset()),
-        "rate_slopes": _body(Writer, slopes, adding=frozenset({"rate_x", "rate_w", "rate_there"})),
+        "rate_slopes": _body(Writer, slopes, adding=frozenset({"rate_x", "rate_w", "rate_there", "rate_axis"})),
         "rates_read": {LOCAL[name]: _reads(rates, name) for name in names},
         "rate_slopes_read": {LOCAL[name]: _reads(slopes, name) for name in names},
         "place": [chain.given_places[k] for k in one.coordinates],
+        "axis_places": [chain.given_places[k] for k in one.axes],
     }
 
 

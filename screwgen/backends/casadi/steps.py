@@ -10,7 +10,7 @@ import casadi as ca
 from ...algorithms import fused
 from ...algorithms import robot_programs as programs
 from ...algorithms.axis_laws import of_robot
-from ...algorithms.law_programs import stage, state_rate, stuck
+from ...algorithms.law_programs import STAGE, stage, state_rate, stuck
 from ...algorithms.schedule import COLUMNS
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
@@ -56,10 +56,11 @@ class CasadiAccelerations:
         times = self.chain.modal_product
         felt = {"m_eta": M + h * D + h**2 * K, "f_eta": times(K, x + h * rate) + times(D, rate)}
         remembering = []
-        for law, coordinates, sides in of_robot(self.chain):
+        for law, coordinates, sides, axes in of_robot(self.chain):
             for k, (i, side) in enumerate(zip(coordinates, sides, strict=True)):
                 constants = {name: self.properties[name][k] for name in law.constants}
                 state = {"side": ca.SX(side), "x": x[i], "w": rate[i], "there": later[i], "h": ca.SX(h)}
+                state |= {"axis": x[axes[k]]} if axes else {}
                 if law in self.chain.internal:
                     state |= {"z": v[self.chain.internal[law][k]]}
                     remembering.append((self.chain.internal[law][k], law, rates.start + i, state | constants))
@@ -158,7 +159,7 @@ def _bristles(chain: Chain, properties: Mapping[str, ca.SX]) -> list[ca.SX]:
     for law, places in chain.internal.items():
         for k, place in enumerate(places):
             own = {name: properties[name][k] for name in law.constants}
-            given = dict.fromkeys(("side", "x", "w", "there", "h", "z"), ca.SX(0)) | own
+            given = dict.fromkeys((*STAGE, "z", "axis"), ca.SX(0)) | own
             found[place] = expressions(stuck(law), given)["stiffness"]
     sizes = (state.size for force in chain.forces for state in force.shape.states.values())
     return [found[place] for place in sorted(found)] + [ca.SX(2.0 / size**2) for size in sizes]

@@ -211,10 +211,11 @@ class JaxAccelerations:
         inertia = M + replayed(spring_stage(), {"x": 0.0, "w": 0.0, "h": h, "K": K, "D": D}, _unary)["inertia"]
         springs = {"x": x[felt], "w": rate[felt], "h": h, "K": K[entries], "D": D[entries]}
         force = jnp.zeros_like(x).at[rows].add(replayed(spring_stage(), springs, _unary)["force"])
-        for law, coordinates, sides in self.laws:
+        for law, coordinates, sides, axes in self.laws:
             at, side = jnp.array(coordinates), jnp.array(sides, self.own.real)
             state = {"side": side, "x": x[at], "w": rate[at], "there": later[at], "h": h}
             state |= {name: self.properties[name] for name in law.constants}
+            state |= {"axis": x[jnp.array(axes)]} if axes else {}
             if law in self.chain.internal:
                 state |= {"z": v[jnp.array(self.chain.internal[law])]}
                 remembering.append((law, at, state))

@@ -2,7 +2,21 @@
 
 from __future__ import annotations
 
-from ...elements import STOP, TRAVELS, BristleFriction, EffortLimit, ElementLaw, brake, friction, gear, lugre, stop
+from collections.abc import Iterable
+
+from ...elements import (
+    STOP,
+    TRAVELS,
+    BristleFriction,
+    EffortLimit,
+    ElementLaw,
+    Size,
+    brake,
+    friction,
+    gear,
+    lugre,
+    stop,
+)
 from ...ir.block import Binding
 from ...spec.drive_class import DriveClass
 from ...spec.link_class import LinkClass
@@ -18,6 +32,7 @@ def symbols(chain: Chain) -> list[Named]:
     stated += stop.SYMBOLS if STOP in chain.laws else ()
     stated += lugre.SYMBOLS if any(drive.memory for drive in _drives(chain)) else ()
     stated += friction.FALLING_SYMBOLS if any(drive.stribeck for drive in _drives(chain)) else ()
+    stated += friction.LOAD_SYMBOLS if any(drive.load for drive in _drives(chain)) else ()
     stated += friction.BEND_SYMBOLS if any(drive.bend for drive in _drives(chain)) else ()
     stated += brake.SYMBOLS if chain.braked else ()
     stated += brake.ROTOR_SYMBOLS if _brakes_rotors(chain) else ()
@@ -57,9 +72,9 @@ $$
 def equations(chain: Chain) -> list[str]:
     """Their sections of text."""
     drives, bends = _drives(chain), any(drive.bend for drive in _drives(chain))
-    out = [gear.equations(any(d.stribeck and not d.memory for d in drives), bends)] if driven(chain) else []
+    out = [gear.equations(_size(drive for drive in drives if not drive.memory), bends)] if driven(chain) else []
     if remembering := [drive for drive in drives if drive.memory]:
-        out += [lugre.equations(any(drive.stribeck for drive in remembering), bends)]
+        out += [lugre.equations(_size(remembering), bends)]
     out += [stop.EQUATIONS] if STOP in chain.laws else []
     out += [law.kind.equations() for law in chain.laws if isinstance(law, ElementLaw)]
     out += [kind.EQUATIONS for kind in chain.travel_kinds]
@@ -87,6 +102,12 @@ def remarks(key: LinkClass) -> dict[str, object]:
 def driven(chain: Chain) -> bool:
     """Whether axes have drives."""
     return any(key.drives for key in chain.keys)
+
+
+def _size(drives: Iterable[DriveClass]) -> Size:
+    """What the size of the dry friction of any of these depends on."""
+    sizes = [drive.size for drive in drives]
+    return Size(any(size.falls for size in sizes), any(size.loaded for size in sizes))
 
 
 def _drives(chain: Chain) -> list[DriveClass]:

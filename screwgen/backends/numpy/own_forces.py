@@ -31,6 +31,7 @@ class LinearisedLaw(NamedTuple):
         at = self.law.coordinates
         state = {"side": np.array(self.law.sides, float), "x": x[at], "w": rate[at], "there": there[at]}
         state |= {} if self.internal is None else {"z": self.internal}
+        state |= {"axis": x[self.law.axes]} if self.law.axes else {}
         return state | {"h": np.full(len(at), h)} | dict(self.constants)
 
 
@@ -126,17 +127,22 @@ class CoordinateForces:
         ]
         return replace(self, laws=at_zero)
 
-    def softened(self, x: np.ndarray, rate: np.ndarray, felt: np.ndarray, change: np.ndarray) -> np.ndarray:
-        """(n_given, ...): what the secants of laws on rates alone add to their forces by a ``change`` of the rates.
+    def softened(
+        self, x: np.ndarray, rate: np.ndarray, felt: np.ndarray, change: np.ndarray, moved: np.ndarray
+    ) -> np.ndarray:
+        """(n_given, ...): what the secants of friction add to its force by a ``change`` of the rates.
 
-        ``felt`` (n_given,): the rates that the secants multiply.
+        ``felt`` (n_given,): the rates that the secants multiply; ``moved``: the change of the coordinates, by which
+        friction changes that grows with the load of a gear.
         """
         out, shape = np.zeros_like(change), (-1, *(1,) * (change.ndim - 1))
         for one in self.laws:
             if not one.law.law.positional and one.law.law.state is None:
                 at, given = one.law.coordinates, one.stage(x, felt, rate, 0.0) | {"a": 0.0}
-                fall = replayed(stage_slopes(one.law.law), given)["by_there"]
-                np.add.at(out, at, np.reshape(fall, shape) * change[at])
+                slopes = {n: np.reshape(x, shape) for n, x in replayed(stage_slopes(one.law.law), given).items()}
+                np.add.at(out, at, slopes["by_there"] * change[at])
+                if one.law.axes:
+                    np.add.at(out, at, slopes["by_x"] * moved[at] + slopes["by_axis"] * moved[one.law.axes])
         return out
 
     def inertia(self, h: float) -> np.ndarray:

@@ -150,3 +150,22 @@ def test_what_a_run_may_not_be_told(motion, said):
     with pytest.raises(screwgen.UsageError, match="motion") as caught:
         screwgen.simulate(cart(actuation="motion"), 0.1, 1e-2, motion=motion)
     assert said in str(caught.value) and "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("loaded", [False, True])
+def test_free_joints_vibrate_beside_axes_whose_motion_is_given(loaded):
+    """A given axis stands, and of an elastic drive its rotor: as in an arm with a weld there, and with a spring."""
+    gear = {"rotor_inertia": 1e-3, "ratio": 20.0, "stiffness": 300.0}
+    soft = {"modes": {"bending_y": 1, "bending_z": 1}, "section": {"rhoA": 1.2, "EIy": 500.0, "EIz": 600.0}}
+
+    def robot(root: dict, elbow: dict) -> screwgen.Model:
+        hand = link("hand", 0.3, axes="y", bodies=[{"at": "tip", "mass": 0.4}])
+        hand["joint"] |= {"stiffness": [40.0], "drives": [gear]}
+        root, fore = link("root", axes="", **soft, joint=root), link("fore", axes="y", **soft, joint=elbow)
+        return model_of(arm(root, fore, hand, gravity=GRAVITY))
+
+    told = robot({"axes": ["z"], "actuation": "motion"}, {"drives": [gear], "actuation": "motion"})
+    held = robot({"axes": [], "mount": {"rpy": [0.0, 0.0, 0.2]}}, {"stiffness": [300.0]})
+    found = screwgen.natural_frequencies(told, [0.2, -0.4, 0.3], "free", loaded=loaded)
+    expected = screwgen.natural_frequencies(held, [-0.4, 0.3], "free", loaded=loaded)
+    assert found == pytest.approx(expected, rel=1e-9) and len(found) == told.nv - 2

@@ -68,7 +68,7 @@ def convergence(
     moving = movable(model, joints, q, own)
     if not len(moving):
         return Convergence(np.zeros(0), {})
-    joints_move, held = len(moving) == model.nv, np.setdiff1d(np.arange(model.nv), moving)
+    joints_move, held = joints == "free", np.setdiff1d(np.arange(model.nv), moving)
     if under_loads(model, rates, loaded):
         loads = loaded_motion(model, q, rates, loaded, own, moving)
         motion = _loaded(rich, _enriched(model, rich, loads.q), loads, rates, loaded, np.array(values), held)

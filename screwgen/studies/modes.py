@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..arguments import Given, Numbers, choice, parameters_keyword
+from ..backends.numpy import prescribed
 from ..backends.numpy.closing import closed_softly
 from ..backends.numpy.vibrations import uncoupled, vibrations, without_rigid_motion
 from ..errors import SingularError, UsageError
@@ -40,9 +41,10 @@ def natural_frequencies(
 
     `joints`: "locked" leaves the modes alone to move, (n_modes,), joints with springs locked like all others; where
     drives are elastic it locks their rotors, and the joint moves on its gear. "free" lets the joints turn on their own
-    springs, (nq,): motions that no spring resists give exactly 0. A floating base moves in either case, which gives six
-    zeros; one whose motion is given stands. Where loops are closed at `q`, as many motions as they leave are found;
-    "locked" locks the joints of :func:`..simulation.mobility.stated_joints`, and the others follow. `parameters`:
+    springs: motions that no spring resists give exactly 0. A floating base moves in either case, which gives six
+    zeros. A base and axes whose motion is given stand in either case, of elastic drives the rotors. Where loops are
+    closed at `q`, as many motions as they leave are found; "locked" locks the joints of
+    :func:`..simulation.mobility.stated_joints`, and the others follow. `parameters`:
     values, the file's by default.
     `rates` (n_joints,), rad/s or m/s: of an arm whose joints turn steadily, kept at their rates where they are locked,
     under constant torques where they are free. `loaded`: gravity bends the links and changes their stiffness. In both
@@ -107,25 +109,27 @@ def mode_shapes(
         return ModeShapes(np.zeros(0), np.zeros((model.nv, 0)), 0, nothing, np.zeros(0))
     if under_loads(model, rates, loaded):
         about = loaded_motion(model, q, rates, loaded, p, moving)
-        free = len(moving) == model.nv
+        free = joints == "free"
         T = np.eye(model.nv) if free else from_travels(model, about.q, p)
         found, basis = loaded_shapes(model, about, T[:, moving], free)
         frequencies, shapes = found.omega / (2 * np.pi), basis @ found.shapes
         return ModeShapes(frequencies, shapes, found.rigid, about.validity(model), found.growth)
     check_definite(model, q, p)
-    out, frequencies, rigid = _at_rest(model, q, p, moving)
+    out, frequencies, rigid = _at_rest(model, q, p, moving, joints == "free")
     weight = np.append(np.zeros(3), p[3:]) if model.chain.floating else p
     validity = validity_at_rest(model, q, loads_of_loops(model, q, weight), weight)
     return ModeShapes(frequencies / (2 * np.pi), out, rigid, validity, np.zeros(len(frequencies)))
 
 
-def _at_rest(model: RobotModel, q: np.ndarray, p: np.ndarray, moving: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
+def _at_rest(
+    model: RobotModel, q: np.ndarray, p: np.ndarray, moving: np.ndarray, free: bool
+) -> tuple[np.ndarray, np.ndarray, int]:
     """Shapes (nv, count) and circular frequencies at rest without gravity, and the number of rigid motions.
 
     Where rotors move, their coordinates are those relative to their joints, so that the stiffness of gears is theirs.
     """
     T, K = np.eye(model.nv), stiffness_matrix(model, p)
-    if len(moving) == model.nv and model.chain.n_added:
+    if free and model.chain.n_added:
         T, K = relative(model, p), stiffness_matrix(model, p, relative=True)
     elif model.chain.elastic_travels:
         T = from_travels(model, q, p)
@@ -134,7 +138,7 @@ def _at_rest(model: RobotModel, q: np.ndarray, p: np.ndarray, moving: np.ndarray
     M, K = (x[np.ix_(moving, moving)] for x in (T.T @ model.numpy(p).mass_matrix(q) @ T, K))
     N = following((jacobian(model, q, p) @ T)[:, moving], np.diag(K))
     M, K = (M, K) if N is None else (N.T @ M @ N, N.T @ K @ N)
-    free, held = np.flatnonzero(np.diag(K) == 0), np.flatnonzero(np.diag(K))
+    loose, held = np.flatnonzero(np.diag(K) == 0), np.flatnonzero(np.diag(K))
     columns, out = np.zeros((len(K), len(held))), np.zeros((model.nv, len(held)))
     try:
         basis, k = uncoupled(K)
@@ -142,9 +146,9 @@ def _at_rest(model: RobotModel, q: np.ndarray, p: np.ndarray, moving: np.ndarray
         rest, springs, rigid = without_rigid_motion(M, k)
         frequencies, vectors = vibrations(rest, springs)
         columns[held] = vectors
-        if len(free):
-            coupling = M[np.ix_(free, held)] @ vectors
-            columns[free] = -linalg.solve(M[np.ix_(free, free)], coupling, assume_a="pos")
+        if len(loose):
+            coupling = M[np.ix_(loose, held)] @ vectors
+            columns[loose] = -linalg.solve(M[np.ix_(loose, loose)], coupling, assume_a="pos")
         out[moving] = basis @ columns if N is None else N @ (basis @ columns)
     except np.linalg.LinAlgError:
         raise _singular(model, q, p) from None
@@ -247,12 +251,12 @@ def closed_posture(model: RobotModel, q: Numbers | None, p: Numbers) -> np.ndarr
 def movable(model: RobotModel, joints: str, q: np.ndarray, p: Numbers) -> np.ndarray:
     """The coordinates that may move: all, or those that no drive acts on and joints that follow loops.
 
-    A base whose motion is given stands.
+    A base and axes whose motion is given stand.
     """
     chain, driven = model.chain, np.array(model.chain.held_places, int)
     every = np.arange(chain.base_v if chain.moving else 0, model.nv)
     if choice(joints, JOINTS, "joints: there is no") == "free":
-        return every
+        return np.setdiff1d(every, prescribed.places(chain))
     added = driven >= chain.eta_v - chain.n_added
     return np.setdiff1d(every, driven[stated_joints(model, q, p) | added])
 

@@ -13,12 +13,14 @@ import numpy as np
 
 from ..algorithms.travels import efforts
 from ..arguments import Numbers
+from ..backends.numpy import prescribed
 from ..errors import SingularError, UsageError
 from ..lazily import linalg
 from ..robot_model import RobotModel
 from ..simulation import validity as valid
 from ..simulation.definiteness import check_definite
 from ..simulation.validity import Validity
+from ..topology.chain import Chain
 from .linear import checked
 from .stiffness import added_stiffness
 
@@ -100,8 +102,13 @@ def steady(
         further = q + FURTHER / np.max(np.abs(v)) * v
         _unchanged(force, numeric.inverse_dynamics(further, v, None, None), np.max(np.abs(K @ q)), moving)
         _unchanged(M, numeric.mass_matrix(further), np.max(np.abs(M)), moving)
-    rigid = unresisted(K[:, :m], force[chain.held_places], K[:, m:] @ q[m:])
+    rigid = unresisted(K[:, unprescribed(chain)], force[chain.held_places], K[:, m:] @ q[m:])
     return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, tau, p, rigid, np.zeros((0, model.nv)), {})
+
+
+def unprescribed(chain: Chain) -> np.ndarray:
+    """The coordinates before the modes, in `v`, but for those whose motion is given."""
+    return np.setdiff1d(np.arange(chain.eta_v), prescribed.places(chain))
 
 
 def unresisted(columns: np.ndarray, *others: np.ndarray) -> np.ndarray:

@@ -37,7 +37,8 @@ def added_stiffness(model: RobotModel, p: Numbers | None = None) -> list[float]:
 def stiffness_matrix(model: RobotModel, p: Numbers | None = None, relative: bool = False) -> np.ndarray:
     """The stiffness (nv, nv) of joint springs and gears (N·m/rad) and modes (N/m, torsion: N·m/rad).
 
-    `relative`: in coordinates in which gears act on rotors alone, see the function of that name.
+    `relative`: in coordinates in which gears act on rotors alone, those of rotors whose motion is given excepted; see
+    the function of that name.
     """
     K, first = np.diag(stiffness(model, p)), model.chain.eta_v - model.chain.n_added
     springs = added_stiffness(model, p)
@@ -45,7 +46,7 @@ def stiffness_matrix(model: RobotModel, p: Numbers | None = None, relative: bool
     joints = (model.chain.base_v + joint for joint in model.chain.added_joints)
     for place, (joint, k, ratio) in enumerate(zip(joints, springs, ratios, strict=True), first):
         K[place, place] = k
-        if not relative:
+        if not relative or joint - model.chain.base_v in model.chain.prescribed:
             K[joint, joint] += ratio**2 * k
             K[place, joint] = K[joint, place] = -ratio * k
     for i, key in enumerate(model.chain.keys):
@@ -56,10 +57,15 @@ def stiffness_matrix(model: RobotModel, p: Numbers | None = None, relative: bool
 
 
 def relative(model: RobotModel, p: Numbers) -> np.ndarray:
-    """T (nq, nq): the coordinates from those with rotors relative to where their joints would turn them."""
+    """T (nq, nq): the coordinates from those with rotors relative to where their joints would turn them.
+
+    Rotors whose motion is given are as they are.
+    """
     chain, T = model.chain, np.eye(model.nv)
-    added, joints = chain.eta_v - chain.n_added + np.arange(chain.n_added), np.array(chain.added_joints, int)
-    T[added, chain.base_v + joints] = chain.ratios(p)
+    for place, (joint, ratio) in enumerate(
+        zip(chain.added_joints, chain.ratios(p), strict=True), chain.eta_v - chain.n_added
+    ):
+        T[place, chain.base_v + joint] = 0.0 if joint in chain.prescribed else ratio
     return T
 
 

@@ -17,7 +17,7 @@ from ..simulation.mobility import closing
 from ..topology.loops import ClosingRow
 from .equilibrium import closed_start, rest
 from .statics_with_loops import RANK, BalanceWithLoops
-from .steady import Steady, unresisted
+from .steady import Steady, unprescribed, unresisted
 
 
 def hanging(model: RobotModel, q: np.ndarray, p: np.ndarray) -> Steady:
@@ -41,6 +41,7 @@ def about(
     M, K, _ = numeric.slopes(q, still, None, None, tau)
     _, J, _, bend, wrench = (np.array(x) for x in closing(model)(q, still, forces, p))
     K = K - bend
-    kept = linalg.null_space(J[:, :m], rcond=RANK)
-    rigid = kept @ unresisted(K[:, :m] @ kept, tau, K[:, m:] @ q[m:])
+    own = unprescribed(model.chain)
+    kept = linalg.null_space(J[:, own], rcond=RANK)
+    rigid = kept @ unresisted(K[:, own] @ kept, tau, K[:, m:] @ q[m:])
     return Steady(q, still, M, np.zeros_like(M), (K + K.T) / 2, tau, p, rigid, J, dict(loops), wrench.T)

@@ -7,6 +7,8 @@ from .errors import ScrewgenError as ScrewgenError
 from .errors import SingularError as SingularError
 from .errors import UsageError as UsageError
 from .identification.beside import compare as compare
+from .identification.excitation import Excitation as Excitation
+from .identification.excite import excite as excite
 from .identification.identification import Identification as Identification
 from .identification.identify import identify as identify
 from .interchange.load import ImportNote as ImportNote

@@ -1,4 +1,4 @@
-"""The command `identify`: from logs to a robot file with identified numbers."""
+"""The commands `identify`, from logs to a robot file with identified numbers, and `excite`, a motion for such logs."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ import typer
 
 
 def register(app: typer.Typer, epilog: str) -> None:
-    """Add the command to the command line."""
+    """Add the commands to the command line."""
     app.command("identify", short_help="Identify a robot's numbers from logs.", epilog=epilog)(identify)
+    app.command("excite", short_help="Find a motion that tells a robot's numbers.", epilog=epilog)(excite)
 
 
 def identify(
@@ -83,4 +84,47 @@ def identify(
             stream.write(text.encode())
     notes(robot, (*(f"undetermined: {line}" for line in found.undetermined), *found.notes), quiet=False)
     say("\n".join([*texts, found.summary(notes=False)]), quiet)
+    sys.stdout.flush()
+
+
+def excite(
+    context: typer.Context,
+    robot: Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")],
+    output: Annotated[
+        str, typer.Option("-o", "--output", metavar="FILE", help="motion.csv, the inputs, or motion.npz, a plan.")
+    ],
+    limits: Annotated[
+        str, typer.Option(metavar="FILE", help="What is sought, how it is measured, and limits of the motion, TOML.")
+    ],
+    generations: Annotated[int, typer.Option(metavar="N", min=0, help="Rounds of the search at most.")] = 40,
+    seed: Annotated[int, typer.Option(metavar="N", min=0, help="Of the random motions and of the search.")] = 0,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
+) -> None:
+    """Find a motion of the joints within limits whose log makes best known what is known worst, run it on the model,
+    and print the intervals that a fit is to have, beside those of a random motion of equal limits and time. Ctrl-C ends
+    the search with the best so far.
+    """
+    from ..identification.excitation import FORMATS
+    from ..identification.excite import excite as found_motion
+    from ..model import derive
+    from ..progress import told
+    from ..simulation.controllers import read_pd
+    from ..simulation.runs import check_output, outputs
+    from ..spec.excitation import read_excitation
+    from .output import load_robot, notes, say
+
+    check_output(output, FORMATS)
+    asked = read_excitation(limits)
+    quiet = quiet or context.obj
+    model = derive(load_robot(robot, quiet))
+    stated = asked.model_dump(exclude_none=True)
+    more: dict[str, Any] = {key: stated.pop(key) for key in ("lower", "upper", "rates", "efforts") if key in stated}
+    if asked.gains is not None:
+        stated["gains"] = read_pd(asked.gains, model)
+    with outputs(output) as (stream,):
+        with told("exciting", quiet) as progress:
+            found = found_motion(model, limits=more, generations=generations, seed=seed, progress=progress, **stated)
+        found.write(stream, output)
+    notes(robot, (*(f"undetermined: {line}" for line in found.undetermined), *found.notes), quiet=False)
+    say(f"{output}\n{found.summary()}", quiet)
     sys.stdout.flush()

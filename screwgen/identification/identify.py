@@ -24,7 +24,7 @@ from .problem import MotionMethod, Problem, Windows
 from .solve import INTERRUPTED, Estimate, Fit
 from .sources import Source, columns_of, log_of, several, some, varying
 from .uncertainty import LOST, Uncertainty, uncertainty
-from .unknowns import INPUT, SENSOR, Unknowns, unknowns
+from .unknowns import INPUT, SENSOR, Unknowns, unknowns_of_logs
 from .words import direction_in_words
 
 SHORTER, OFF = (10.0, 3.0, 1.0), 0.3
@@ -73,7 +73,7 @@ def identify(
     for log in (*read, *compared):
         checked(log, columns)
     window = seconds(window, "window")
-    asked = _unknowns(model, columns, free, read)
+    asked = unknowns_of_logs(model, columns, free, read)
     fit, at = NumberSearch(model, read, columns, asked, window, robust, iterations, how, progress).best()
     values = asked.values(at.sought)
     known = uncertainty(fit, at)
@@ -114,15 +114,6 @@ def identify(
         frequencies,
         tried,
     )
-
-
-# ------------------------------------------------------------------------------ what is given
-
-
-def _unknowns(model: RobotModel, columns: Columns, free: str | Sequence[str], logs: Sequence[Log]) -> Unknowns:
-    of = lambda name: float(np.nanstd(np.concatenate([log.columns[name] for log in logs])))  # noqa: E731
-    sizes = {column.name: max(of(column.name), 1e-12) for column in columns.columns}
-    return unknowns(model, columns, [free] if isinstance(free, str) else free, sizes)
 
 
 # ------------------------------------------------------------------------------ the fit

@@ -86,7 +86,7 @@ class Fit:
 
     def run(self, iterations: int, sought: np.ndarray) -> Estimate:
         """The estimate when it has converged, or where it is after so many iterations or an interruption."""
-        at = self._start(sought)
+        at = self.start(sought)
         try:
             for _ in self._improved(at, iterations):
                 if self.progress:
@@ -97,10 +97,10 @@ class Fit:
 
     def begun(self, sought: np.ndarray) -> Estimate:
         """The estimate with these numbers, in which the starts of windows alone are fitted."""
-        at, none = self._start(sought), np.zeros(len(sought), bool)
+        at, none = self.start(sought), np.zeros(len(sought), bool)
         for _ in range(SETTLED):
             found = self._linearised(at)
-            at.shift = [a + b for a, b in zip(at.shift, self._reduced(at, found).step(1.0, none)[1], strict=True)]
+            at.shift = [a + b for a, b in zip(at.shift, self.reduced(at, found).step(1.0, none)[1], strict=True)]
         return self.at(sought, at.shift, at.noise)
 
     def _linearised(self, at: Estimate) -> list[tuple[np.ndarray, ...]]:
@@ -111,7 +111,8 @@ class Fit:
         at.noise = self.noise(at.differences)
         return found
 
-    def _start(self, sought: np.ndarray) -> Estimate:
+    def start(self, sought: np.ndarray) -> Estimate:
+        """An estimate with these numbers (k,), whose windows begin where readings say."""
         groups = self.problem.groups
         shift = [np.zeros((len(group.first), len(group.states))) for group in groups]
         return Estimate(sought.copy(), shift, self.varies.copy(), [], np.inf)
@@ -122,7 +123,7 @@ class Fit:
         for _ in range(iterations):
             found = self._linearised(at)
             at.cost = self._cost(at.sought, at.shift, at.differences, at.noise)
-            reduced = self._reduced(at, found)
+            reduced = self.reduced(at, found)
             better, damping = self._searched(at, reduced, damping)
             if better is None:
                 return
@@ -210,7 +211,8 @@ class Fit:
         r, J_p, J_x = weight * np.nan_to_num(difference), weight[..., None] * by_p, weight[..., None] * by_x
         return r.ravel(), np.nan_to_num(J_x.reshape(r.size, -1)), np.nan_to_num(J_p.reshape(r.size, -1))
 
-    def _reduced(self, at: Estimate, found: Sequence[tuple[np.ndarray, ...]]) -> StateFree:
+    def reduced(self, at: Estimate, found: Sequence[tuple[np.ndarray, ...]]) -> StateFree:
+        """The least squares of a step from differences and derivatives of every log, states of windows eliminated."""
         k, states = len(at.sought), []
         left = np.column_stack([np.diag(1 / self.priors[:, 1]), (at.sought - self.priors[:, 0]) / self.priors[:, 1]])
         for group, shift, own in zip(self.problem.groups, at.shift, found, strict=True):

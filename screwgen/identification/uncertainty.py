@@ -59,7 +59,7 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
     left = np.eye(len(A)) - LEVERAGE * parts @ inverse
     scores = np.linalg.solve(left, scores[..., None])[..., 0]
     B = scores.T @ scores
-    directions = _directions(A + known, B + known)
+    directions = lost_directions(A + known, B + known)
     covariance = inverse @ (B + known) @ inverse
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     for direction, size in directions:
@@ -94,7 +94,7 @@ def _of_window(
     return rows.T @ rows, np.array([x.T @ x for x in own]), scores
 
 
-def _directions(A: np.ndarray, B: np.ndarray) -> list[tuple[np.ndarray, float]]:
+def lost_directions(A: np.ndarray, B: np.ndarray) -> list[tuple[np.ndarray, float]]:
     """The directions of which the data leave more than LOST, the vaguest first, each with as few numbers as may be."""
     values, vectors = np.linalg.eigh(A)
     slopes = np.maximum(values, max(values.max(), 1e-300) * 1e-15)

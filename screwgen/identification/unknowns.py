@@ -15,6 +15,7 @@ from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.columns import Column, Columns
 from ..spec.parameters import Parameter, parameters
+from .logs import Log
 from .sensing import NUMBERS, numbers_of
 
 PARAMETER, SENSOR, INPUT = "parameter", "sensor", "input"
@@ -118,6 +119,13 @@ def unknowns(model: RobotModel, columns: Columns, free: Sequence[str], sizes: Ma
     if not found:
         raise UsageError("free: nothing is free; name parameters, as free=['arm.EIz', 'arm.joint.*']")
     return Unknowns(found[name] for name in known if name in found)
+
+
+def unknowns_of_logs(model: RobotModel, columns: Columns, free: str | Sequence[str], logs: Sequence[Log]) -> Unknowns:
+    """Those that patterns name, with scales by how much the columns of logs vary."""
+    of = lambda name: float(np.nanstd(np.concatenate([log.columns[name] for log in logs])))  # noqa: E731
+    sizes = {column.name: max(of(column.name), 1e-12) for column in columns.columns}
+    return unknowns(model, columns, [free] if isinstance(free, str) else free, sizes)
 
 
 def free_parameters(model: RobotModel, free: Sequence[str]) -> list[str]:

@@ -53,7 +53,7 @@ def plan(
     """
     refuse_robot(model)
     m, began = model.n_joints, clock.perf_counter()
-    bounds, law = _limits(model, limits or {}, gains), _law(gains, m, bool(models))
+    bounds, law = joint_limits(model, limits or {}, gains, HEADROOM), _law(gains, m, bool(models))
     intervals = whole(intervals, "intervals", LEAST, LARGEST)
     fixed = time != SHORTEST
     task = Task(
@@ -125,8 +125,10 @@ def _law(gains: Any, m: int, needed: bool) -> JointLaw:
     return JointLaw(*(array(getattr(gains, name), f"gains: {name}:", (m,)) for name in ("kp", "kd")))
 
 
-def _limits(model: RobotModel, given: Mapping[str, Numbers], gains: Any) -> JointLimits:
-    """The tightest of the robot's limits, of those that are given, and of the law's."""
+def joint_limits(
+    model: RobotModel, given: Mapping[str, Numbers], gains: Any = None, headroom: float = 1.0
+) -> JointLimits:
+    """The tightest of the robot's limits, of those that are given, and of the law's; of efforts a share."""
     m = model.n_joints
     known = ("lower", "upper", "rates", "efforts")
     for name in given:
@@ -143,5 +145,5 @@ def _limits(model: RobotModel, given: Mapping[str, Numbers], gains: Any) -> Join
         np.maximum(model.chain.limits[:, 0], own.get("lower", -np.inf)),
         np.minimum(model.chain.limits[:, 1], own.get("upper", np.inf)),
         np.broadcast_to(own.get("rates", np.inf), (m,)).astype(float),
-        HEADROOM * efforts,
+        headroom * efforts,
     )

@@ -1,0 +1,211 @@
+"""Motions that tell most of what is sought: Fourier series of the joints within limits, checked in a run."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..arguments import Numbers, array, seconds, whole
+from ..errors import UsageError
+from ..planning.joint_gains import gains as found_gains
+from ..planning.make import joint_limits
+from ..planning.plan import MotionPlan
+from ..planning.refusals import refuse_robot
+from ..robot_model import RobotModel
+from ..simulation.measured import strain as strains
+from ..simulation.played import Played
+from ..simulation.runs import Run
+from ..simulation.simulate import simulate
+from ..spec.columns import Column, Columns
+from ..spec.excitation import STEP, TIME
+from .beside import how_of, windows_of_log
+from .evolution import minimised
+from .excitation import Excitation
+from .excited_motions import MotionLimits, MotionMaker, Motions
+from .fourier import FourierSeries
+from .information import NOISE, Bench, log_of_motion
+from .logs import Log
+from .odd import of_inputs
+from .signals import Signals
+from .sources import columns_of
+from .uncertainty import lost_directions
+from .unknowns import unknowns_of_logs
+from .words import direction_in_words
+
+RANDOM = 16
+"""Random motions that are looked at: the best is where the search starts, the middle one is compared."""
+GENERATIONS = 40
+SLOW = 100
+"""The samples of a period of the highest frequency, unless a bandwidth is stated."""
+LEAST = 1e-300
+
+
+def excite(
+    model: RobotModel,
+    *,
+    free: str | Sequence[str],
+    sensors: str | os.PathLike[str] | Columns | None = None,
+    limits: Mapping[str, Numbers] | None = None,
+    strain: float = np.inf,
+    gains: Any = None,
+    time: float = TIME,
+    step: float = STEP,
+    start: Numbers | None = None,
+    bandwidth: float | None = None,
+    window: float = 1.0,
+    generations: int = GENERATIONS,
+    seed: int = 0,
+    progress: Callable[[str], None] | None = None,
+) -> Excitation:
+    """A motion within limits that makes best known what is known worst of what is `free`.
+
+    `free`, `sensors`, `window` as of :func:`screwgen.identify`; without `sensors` the joints are measured and the
+    inputs known, and a sensor without `noise` has a hundredth of how much it varies in a random motion. The joints move
+    along Fourier series about `start` (n_joints,) of frequencies up to `bandwidth`, Hz; both ends are at rest.
+    `limits`: `lower`, `upper`, `rates` and `efforts` (n_joints,), tighter ones than those of the robot file; `strain`:
+    of all entries of `model.strain_names`. `gains`: the law under which the motion is played, as :class:`PD`; without,
+    :func:`screwgen.gains` finds one. `progress` is told a line per generation; an interruption keeps the best so far.
+
+    The motion is run on the model under its law. Raises UsageError where the run breaks a limit, which it names, or
+    where an argument makes no sense.
+    """
+    refuse_robot(model, "excitation", "state a motion of your own")
+    m, time, step = model.n_joints, seconds(time, "time"), seconds(step, "step")
+    bounds = _limits(model, limits or {}, strain)
+    begin = array(np.clip(np.zeros(m), bounds.lower, bounds.upper) if start is None else start, "start:", (m,))
+    if ((begin <= bounds.lower) | (begin >= bounds.upper)).any():
+        raise UsageError(f"start: {begin.tolist()} is not within the joints' limits; state start between them")
+    if not (np.isfinite(bounds.rates) | np.isfinite(bounds.upper - bounds.lower)).all():
+        raise UsageError("limits: ranges and rates leave a joint free to go any way; state rates")
+    highest = 1.0 / (SLOW * step) if bandwidth is None else seconds(bandwidth, "bandwidth")
+    series = FourierSeries(time, step, highest)
+    maker = MotionMaker(model, series, begin, bounds, np.asarray(model.chain.parameters.values))
+    law = gains if gains is not None else found_gains(model, [begin], step=step)
+    rng = np.random.default_rng(whole(seed, "seed", 0))
+    factors = rng.standard_normal((RANDOM, maker.size))
+    random = maker.largest(factors)
+    columns = _columns(model, sensors)
+    bench = _bench(model, columns, free, random, step, seconds(window, "window"), rng)
+    known = _worst(bench, random, step)
+    middle = int(np.argsort(known)[len(known) // 2])
+
+    def told(generation: int, least: float) -> None:
+        if progress:
+            narrower = np.exp(known[middle] - least)
+            progress(f"generation {generation + 1}: worst direction {narrower:.3g} times better known than by chance")
+
+    score = lambda rows: _worst(bench, maker.largest(rows), step)  # noqa: E731
+    best = minimised(score, factors[np.argmin(known)], whole(generations, "generations", 0), rng, told)
+    found = maker.largest(best[None])
+    plan, by_chance = (_plan(maker, made, k, law) for made, k in ((found, 0), (random, middle)))
+    run = _checked(model, plan, bounds, step)
+    information = bench.information(found, 0, step)
+    return Excitation(
+        plan,
+        run,
+        by_chance,
+        bench.unknowns,
+        _deviation(information),
+        _deviation(bench.information(random, middle, step)),
+        tuple(direction_in_words(bench.unknowns, *x) for x in lost_directions(information, information)),
+        tuple(of_inputs(model, columns)),
+        _with_noise(columns, bench.noise),
+    )
+
+
+# ------------------------------------------------------------------------------ what is given
+
+
+def _limits(model: RobotModel, given: Mapping[str, Numbers], strain: float) -> MotionLimits:
+    own = joint_limits(model, given)
+    if not strain > 0:
+        raise UsageError(f"strain: is {strain}; it must be a number > 0")
+    return MotionLimits(own.lower, own.upper, own.rates, own.efforts, float(strain))
+
+
+def _columns(model: RobotModel, sensors: str | os.PathLike[str] | Columns | None) -> Columns:
+    """The columns of a log; without a table joints are measured and inputs known."""
+    if sensors is not None:
+        return columns_of(model, sensors, Log("motion", np.zeros(0), {}))
+    measured = [Column(name=name, measures=name) for name in model.q_names[: model.n_joints]]
+    return Columns(columns=(*measured, *(Column(name=name, drives=name) for name in model.tau_names)))
+
+
+def _bench(
+    model: RobotModel,
+    columns: Columns,
+    free: str | Sequence[str],
+    random: Motions,
+    step: float,
+    window: float,
+    rng: np.random.Generator,
+) -> Bench:
+    """What measures the robot; noise that is not stated, and how well windows begin, are those in a random motion."""
+    p = np.asarray(model.chain.parameters.values)
+    log = log_of_motion(Signals(model, columns.sensors), columns, random, 0, step, p)
+    sizes = [float(log.columns[column.name].std()) for column in columns.sensors]
+    noise = np.array(
+        [column.noise or max(NOISE * size, LEAST) for column, size in zip(columns.sensors, sizes, strict=True)]
+    )
+    noisy = dict(log.columns)
+    for column, own in zip(columns.sensors, noise, strict=True):
+        noisy[column.name] = noisy[column.name] + own * rng.standard_normal(len(log))
+    windows = windows_of_log(model, Log(log.name, log.t, noisy), columns, window, p)
+    deviation = np.median([x.deviation for x in windows.begin], axis=0)
+    asked = unknowns_of_logs(model, columns, free, [log])
+    return Bench(
+        model, columns, asked, noise, deviation, windows.experiment.reach, window, how_of("modal_midpoint", 1, 1)
+    )
+
+
+def _with_noise(columns: Columns, noise: np.ndarray) -> Columns:
+    """The columns with the noise of their sensors (sensors,)."""
+    own = {column.name: float(x) for column, x in zip(columns.sensors, noise, strict=True)}
+    return columns.model_copy(
+        update={
+            "columns": tuple(
+                c.model_copy(update={"noise": own[c.name]}) if c.name in own else c for c in columns.columns
+            )
+        }
+    )
+
+
+# ------------------------------------------------------------------------------ the search
+
+
+def _worst(bench: Bench, made: Motions, step: float) -> np.ndarray:
+    """(lanes,): the logarithm of the deviation of the direction that is known worst."""
+    out = []
+    for lane in range(len(made.q)):
+        least = np.linalg.eigvalsh(bench.information(made, lane, step))[0]
+        out.append(-0.5 * np.log(max(float(least), LEAST)))
+    return np.array(out)
+
+
+def _deviation(information: np.ndarray) -> np.ndarray:
+    """(k,): standard deviations of what is sought."""
+    return np.asarray(np.sqrt(np.maximum(np.diag(np.linalg.pinv(information, hermitian=True)), 0.0)))
+
+
+def _plan(maker: MotionMaker, made: Motions, lane: int, law: Any) -> MotionPlan:
+    """A motion as a plan for a law: at rest at both ends, and between samples with the means of what is held."""
+    model, held, still = maker.model, made.tau[lane], maker.rest.torque
+    tau = np.vstack([still, (held[:-2] + held[1:-1]) / 2, still])
+    q, v, a = made.references[lane]
+    kp, kd = (array(getattr(law, name), f"gains: {name}:", (model.n_joints,)) for name in ("kp", "kd"))
+    joints, efforts = tuple(model.q_names[: model.n_joints]), maker.limits.efforts
+    return MotionPlan(model.robot.name, joints, maker.series.t, q, v, a, tau, kp, kd, efforts)
+
+
+def _checked(model: RobotModel, plan: MotionPlan, limits: MotionLimits, step: float) -> Run:
+    """The run of a motion under its law; raises UsageError where it breaks a limit."""
+    run = simulate(model, plan.time, step, controller=Played.of(plan))
+    bent = strains(model, run.q[None], np.asarray(model.chain.parameters.values))[0]
+    if broken := limits.broken(model, run, bent):
+        raise UsageError(
+            f"limits: {broken} in a run of the motion under its law; state other gains, or a lower bandwidth"
+        )
+    return run

@@ -91,6 +91,21 @@ def choice(given: Any, known: Iterable[str], what: str) -> str:
     raise UnknownNameError(f"{what} '{one_line(str(given))}'; {suggestion(str(given), known)}")
 
 
+def matching(patterns: str | Sequence[str], known: Sequence[str], what: str) -> tuple[int, ...]:
+    """The places of the names that names or patterns stand for, in which `*` is any text; in their order.
+
+    Raises UsageError where one of them stands for none.
+    """
+    found: set[int] = set()
+    for pattern in [patterns] if isinstance(patterns, str) else patterns:
+        whole = re.compile(".*".join(map(re.escape, pattern.split("*"))))
+        own = {k for k, name in enumerate(known) if whole.fullmatch(name)}
+        if not own:
+            choice(pattern, known, what)
+        found |= own
+    return tuple(sorted(found))
+
+
 def suggestion(name: str, known: Sequence[str]) -> str:
     """What to choose in place of a name that nothing has."""
     near = nearest(name, known)
@@ -167,14 +182,7 @@ class Parameters:
 
         Raises UsageError where one of them stands for none.
         """
-        found: set[int] = set()
-        for pattern in [patterns] if isinstance(patterns, str) else patterns:
-            whole = re.compile(".*".join(map(re.escape, pattern.split("*"))))
-            own = {k for k, name in enumerate(self.names) if whole.fullmatch(name)}
-            if not own:
-                choice(pattern, self.names, "parameters: there is no")
-            found |= own
-        return tuple(sorted(found))
+        return matching(patterns, self.names, "parameters: there is no")
 
     def refused(self, rows: np.ndarray) -> dict[int, str]:
         """What :meth:`check` says of each of the rows (k, n) that it refuses."""

@@ -28,6 +28,7 @@ from .studies.linear import INPUTS, OUTPUTS, LinearModel, linearise
 
 if TYPE_CHECKING:
     from .algorithms.measurement import Measurement
+    from .identification.regressor import Regressor
     from .runtime.compiled import Compiled
     from .runtime.mpc import CompiledMpc
 
@@ -83,6 +84,17 @@ class Model(RobotModel):
     def validity_at_rest(self, q: Numbers, w_ext: Loads = None, parameters: Given = None) -> Validity:
         """The same at rest, with the posture ``q`` (nq,) held against gravity and ``w_ext`` (n, 6)."""
         return validity_at_rest(self, q, w_ext, parameters)
+
+    def regressor(self, of: str | Sequence[str] = "*") -> Regressor:
+        """The matrix ``Y`` of a motion by the parameters in which its forces are linear: ``Y @ values + rest``.
+
+        ``of``: names of parameters, or patterns as ``arm.*``, out of which those are chosen; first moments and inertias
+        about points stand in place of centres of mass. Base parameters are :attr:`.Regressor.base_parameters`.
+        Raises UsageError where a pattern names none, and for loops.
+        """
+        from .identification.regressor import Regressor
+
+        return self.once(("regressor", tuple([of] if isinstance(of, str) else of)), lambda: Regressor(self, of))
 
     def equations(self, operations: int = OPERATIONS) -> Equations:
         """The equations of motion entry by entry, ``M(q) qddot + C(q, qdot) qdot + D qdot + K q + g(q) = tau``.

@@ -56,11 +56,16 @@ class Estimator(KalmanFilter):
     ):
         super().__init__(model, parameters, measurements)
         chain = model.chain
-        self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())
-        self._space, self._hold = self._stepper.space, self._stepper.hold
-        self._chained = HeldChain(chain, self._p) if chain.holds else None
+        self._at_parameters(self._p)
         self._put(np.array(chain.home), np.zeros(chain.nvz), np.zeros((chain.n_changes, chain.n_changes)))
         self._judgements = self._none_yet()
+
+    def _at_parameters(self, p: np.ndarray) -> None:
+        """The model is that of parameters (n,) from now on."""
+        self._p, chain = p, self.model.chain
+        self._numeric, self._stepper = self.model.numpy(p), JointStepper(self.model, "modal_midpoint", p.tolist())
+        self._space, self._hold = self._stepper.space, self._stepper.hold
+        self._chained = HeldChain(chain, p) if chain.holds else None
 
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None:
         q, v, _ = self._shut(self.model.chain.unit(q), v)
@@ -89,11 +94,18 @@ class Estimator(KalmanFilter):
         q, v = self._stepper.step(self._stepper.initial(self._q, self._v), tau, w_ext, dt)
         middle, held = self._middle(q, v, dt), self._hold(self._q, self._v, tau)
         Phi, G = self._transition(*middle, self._slopes(*middle, tau, held, w_ext), dt)
-        n, S = self.model.nv, Phi @ root(self._P)
+        n, S = self.model.nv, self._carried(root(self._P), Phi, G, (*middle, held, w_ext), dt)
         kicks = G * np.sqrt(dt * of_rates(self.model.chain, self.noise.density_v, "density_v"))
-        P = S @ S.T + kicks @ kicks.T
+        P = S @ S.T
+        P[: len(G), : len(G)] += kicks @ kicks.T
         P[np.arange(n), np.arange(n)] += dt * spread(self.noise.density_q, "density_q", n)
         self._accept(q, v, P)
+
+    def _carried(
+        self, S: np.ndarray, Phi: np.ndarray, G: np.ndarray, at: tuple[np.ndarray, ...], dt: float
+    ) -> np.ndarray:
+        """The root of the covariance after a step; `at`: q, v and inputs in its middle."""
+        return Phi @ S
 
     def _middle(self, q: np.ndarray, v: np.ndarray, dt: float) -> tuple[np.ndarray, np.ndarray]:
         """The state in the middle of a step to q and v."""
@@ -151,9 +163,14 @@ class Estimator(KalmanFilter):
         if used:
             dx, S, squared = corrected(S, *(np.concatenate(x) for x in zip(*used, strict=True)))
             n, consistency = self.model.nv, Consistency(squared, sum(len(left) for _, left, *_ in used))
+            dx, more = np.split(dx, [chain.n_changes])
             self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], S @ S.T)
+            self._learn(more)
         self._judgements |= judgements
         return found, consistency
+
+    def _learn(self, change: np.ndarray) -> None:
+        """What an update says of entries of the estimate behind [q; v]."""
 
     def _none_yet(self) -> dict[str, np.ndarray]:
         """Of each measurement (2, entries): how often in a row beyond the gate, by how much the patience is less."""

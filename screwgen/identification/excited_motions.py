@@ -101,7 +101,7 @@ class MotionMaker:
             share = self.strained(made)
             if (share <= 1.0).all():
                 return made
-            with np.errstate(invalid="ignore"):
+            with np.errstate(divide="ignore", invalid="ignore"):
                 less = np.where(np.isfinite(share), LESS * (1.0 - still) / (share - still), LEAST)
             size = size * np.where(share <= 1.0, 1.0, np.maximum(less, LEAST))
         raise UsageError("limits: no motion about the start is within them; raise efforts or strain, or move start")

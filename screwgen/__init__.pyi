@@ -28,6 +28,9 @@ from .simulation.arrival import play as play
 from .simulation.control_loop import ControlLoopWarning as ControlLoopWarning
 from .simulation.controllers import PD as PD
 from .simulation.controllers import Holding as Holding
+from .simulation.fed import FeedforwardPD as FeedforwardPD
+from .simulation.feedforward import FedMotion as FedMotion
+from .simulation.feedforward import feedforward as feedforward
 from .simulation.hits import Hit as Hit
 from .simulation.hits import LimitWarning as LimitWarning
 from .simulation.integrate import DivergedError as DivergedError

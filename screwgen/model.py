@@ -35,6 +35,9 @@ if TYPE_CHECKING:
 TARGETS = ("c", "casadi", "latex")
 """What is written unless targets are named."""
 UNITS = ("fmu2", "fmu3")
+FEEDFORWARD = "feedforward"
+FURTHER = (*UNITS, FEEDFORWARD)
+"""What is written where it is named."""
 CONSISTENT = "consistent"
 DOCUMENTS = "documents"
 
@@ -124,6 +127,7 @@ class Model(RobotModel):
         """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
 
         ``"fmu2"``, ``"fmu3"``: functional mock-up units, with a binary of this machine where there is a compiler.
+        ``"feedforward"``: C of the efforts of joint motions, see :func:`screwgen.feedforward`.
 
         ``parameters``: ``"runtime"`` or ``"baked"`` (folded into the C as numbers); ``layout`` of the C:
         ``"fused"`` (one piece), ``"modular"`` (a function per phase and class) or ``"auto"``; ``batch``: also C
@@ -152,6 +156,7 @@ class Model(RobotModel):
             "latex": lambda: self._documents(),
         }
         makers |= {t: partial(target_files.unit_files, self, t, **options, sensors=outputs) for t in UNITS}
+        makers[FEEDFORWARD] = lambda: target_files.feedforward_files(self, **options)
         unknown = [t for t in targets if t not in makers]
         if unknown:
             raise UsageError(f"there is no target '{unknown[0]}'; choose {' or '.join(makers)}")

@@ -50,3 +50,14 @@ def unit_files(model: RobotModel, target: str, **options: Any) -> dict[str, byte
     from .runtime import fmu
 
     return fmu.unit_files(model, target, **options)
+
+
+def feedforward_files(model: RobotModel, **options: Any) -> dict[str, bytes]:
+    """Of the C of a feedforward: a robot whose axes all move as given, and the efforts of its motion."""
+    from .backends.c.feedforward import FeedforwardProject
+    from .simulation.feedforward import METHOD, moved_model
+
+    own = moved_model(model)
+    options |= {"binding": options.pop("parameters"), "methods": (*options["methods"], METHOD)}
+    project = FeedforwardProject(own.chain, own.version, **options)
+    return {name: text.encode() for name, text in project.files().items()}

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..algorithms.robot_functions import reported
 from ..errors import SingularError, TargetWarning, UsageError
-from ..model import CONSISTENT, TARGETS, UNITS, Model, derive, formulations
+from ..model import CONSISTENT, FURTHER, TARGETS, UNITS, Model, derive, formulations
 from ..plugins import Formulation
 from ..progress import bar, busy
 from ..simulation.state import State, state_in
@@ -50,7 +50,7 @@ def run_generate(
 ) -> None:
     """Write the folder and list its files; ``more``: further options, as :meth:`screwgen.Model.write` has them."""
     for target in targets or ():
-        check_choice("--target", target, (*TARGETS, *UNITS))
+        check_choice("--target", target, (*TARGETS, *FURTHER))
     check_choice("--parameters", parameters, PARAMETERS)
     check_choice("--layout", layout, LAYOUTS)
     for name, asked in more.items():
@@ -65,7 +65,7 @@ def run_generate(
     if not output:
         raise UsageError("the folder after -o has no name; name one to write")
     model = derive(load_robot(robot, quiet))
-    wanted = tuple(t for t in (*TARGETS, *UNITS) if t in (targets or TARGETS))
+    wanted = tuple(t for t in (*TARGETS, *FURTHER) if t in (targets or TARGETS))
     documents = model.documents_beside() if "latex" in wanted and len(wanted) > 1 else nullcontext()
     noting = warnings.catch_warnings(record=True, action="always", category=TargetWarning)
     with stoppable(), documents, busy("generating", quiet), noting as noted:

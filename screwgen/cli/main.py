@@ -64,7 +64,8 @@ def generate(
     target: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="NAME", help="c, casadi, latex, fmu2 or fmu3; may be given again. The first three, if not given."
+            metavar="NAME",
+            help="c, casadi, latex, fmu2, fmu3 or feedforward; may be given again. The first three, if not given.",
         ),
     ] = None,
     parameters: Annotated[

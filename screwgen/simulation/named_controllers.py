@@ -18,9 +18,16 @@ def _read_played(path: Any, model: RobotModel) -> Controller:
     return read_played(path, model)
 
 
+def _read_fed(path: Any, model: RobotModel) -> Controller:
+    from .fed import read_fed
+
+    return read_fed(path, model)
+
+
 CONTROLLERS: dict[str, Callable[[Any, RobotModel], Controller]] = {
     "pd": read_pd,
     "plan": _read_played,
+    "feedforward": _read_fed,
     "csv": read_inputs,
 }
 

@@ -64,8 +64,7 @@ def generate(
     target: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="NAME",
-            help="c, casadi, latex, fmu2, fmu3 or feedforward; may be given again. The first three, if not given.",
+            metavar="NAME", help="c, casadi, latex, fmu2, fmu3, feedforward; again: more. Without: the first three."
         ),
     ] = None,
     parameters: Annotated[

@@ -53,7 +53,7 @@ def plan(
     """
     refuse_robot(model)
     m, began = model.n_joints, clock.perf_counter()
-    bounds, law = joint_limits(model, limits or {}, gains, HEADROOM), _law(gains, m, bool(models))
+    bounds, law = joint_limits(model, limits or {}, gains, HEADROOM), law_of(gains, m, bool(models))
     intervals = whole(intervals, "intervals", LEAST, LARGEST)
     fixed = time != SHORTEST
     task = Task(
@@ -117,7 +117,8 @@ def scaled(model: RobotModel, values: np.ndarray, factors: Mapping[str, float]) 
     return model.chain.parameters.vector(out)
 
 
-def _law(gains: Any, m: int, needed: bool) -> JointLaw:
+def law_of(gains: Any, m: int, needed: bool = False) -> JointLaw:
+    """The law that `gains` are; zero without them."""
     if gains is None:
         if needed:
             raise UsageError("models: several share a motion under the law of the joints alone; give gains")

@@ -1,0 +1,158 @@
+"""Plans of tip paths: the joint motions and torques with which the tip of a flexible arm is where a path is."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Callable
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from ..arguments import Given, Numbers, array, real_numbers, seconds
+from ..errors import UsageError
+from ..robot_model import RobotModel
+from .inversion import TipEquations, Window, inverted
+from .make import law_of
+from .members import Still
+from .plan import MotionPlan
+from .refusals import refuse_robot
+from .solve import Progress
+
+Path = Callable[[np.ndarray], Any]
+"""Places (…, 3), m, in inertial axes at times (…), s."""
+PREVIEW, STEP = 0.1, 1e-3
+MORE = 0.5
+"""How much longer than what is played the window is at either end, s, so that what is left there may be seen."""
+MEETS, NEWTONS = 1e-9, 60
+"""How closely, by the arm's length, the tip of the arm that does not bend meets the path; most iterations."""
+FLAT = 1e-3
+"""Below this ratio of the slowest to the fastest motion of the tip by joints a posture is singular."""
+JUMPS = 1.6
+"""The ratio of the largest accelerations over one step and over two: 4 where a path jumps, 2 where its rate does."""
+CUT = 2e-5
+"""What may be cut off where the preview begins and ends, by the joints' way."""
+
+
+def track(
+    model: RobotModel,
+    path: Path,
+    time: float,
+    *,
+    near: Numbers | None = None,
+    preview: float = PREVIEW,
+    step: float = STEP,
+    gains: Any = None,
+    parameters: Given = None,
+    progress: Progress | None = None,
+) -> MotionPlan:
+    """A plan whose tip is at `path(t)` from 0 to `time`, at rest before and behind.
+
+    `path`: a function of times (…), s, that gives places (…, 3), m, in inertial axes; it begins and ends at rest. The
+    plan is longer than it by `preview` at either end: bending begins before the tip moves, so the tip is at `path(t)`
+    at the time `t + preview` of the plan. `near` (n_joints,): joints from where the posture of the start is sought.
+    Joints follow the tip in the directions in which they move it, one per joint; in others it is off by what bending
+    shortens. `step`: between the points of the plan, s. `gains`: a law with `kp` and `kd` to play it under.
+
+    Raises UsageError: a path out of reach, a singular posture, a path that jumps, too short a preview.
+    """
+    refuse_robot(model, "tip path", "give joint references of your own")
+    m, began = model.n_joints, clock.perf_counter()
+    if m > 3:
+        raise UsageError(f"robot '{model.robot.name}' has {m} joints; a path of the tip states three coordinates")
+    time, preview, step = (
+        seconds(x, what) for x, what in ((time, "the time"), (preview, "the preview"), (step, "the step"))
+    )
+    law = law_of(gains, m)
+    p = model.chain.parameters.vector(parameters)
+    points = int(np.ceil((time + 2 * preview) / step - 1e-9))
+    step = (time + 2 * preview) / points
+    more = int(np.ceil(MORE / step))
+    window = Window(points + 1 + 2 * more, step)
+    t = step * (np.arange(window.count) - more) - preview
+    goal = _sampled(path, t, time, step)
+    tip, still = _tip(model, p), Still(model, p)
+    joints = _rigid(model, tip, goal, array(near, "near:", (m,)))
+    equations = TipEquations(still, tip, goal, joints)
+    start = np.hstack([joints, np.tile(still.held(joints[0]).q[m:], (len(t), 1))])
+    q, v, a, iterations = inverted(equations, window, start, progress)
+    played = slice(more, more + points + 1)
+    _check_cut(q[:, :m], played, preview)
+    tau = np.array(still.residual.map(points + 1)(q[played].T, v[played].T, a[played].T))[:m].T
+    moved = [np.ascontiguousarray(x[played, :m]) for x in (q, v, a)]
+    for end in (0, -1):
+        moved[1][end] = moved[2][end] = 0.0
+        tau[end] = still.held(moved[0][end]).torque
+    said = {"iterations": iterations, "seconds": clock.perf_counter() - began, "preview": preview}
+    names, times = tuple(model.q_names[:m]), np.linspace(0.0, time + 2 * preview, points + 1)
+    limits = np.array(model.chain.efforts, float)
+    _check_efforts(tau, limits, names)
+    return MotionPlan(model.robot.name, names, times, *moved, tau, law.kp, law.kd, limits, said)
+
+
+def _sampled(path: Path, t: np.ndarray, time: float, step: float) -> np.ndarray:
+    """The path at times (count, 3), at rest outside of it."""
+    if not callable(path):
+        raise UsageError("path: is no function of t; give one of times (…), s, to places (…, 3), m")
+    goal = real_numbers(path(np.clip(t, 0.0, time)))
+    if goal is None or goal.shape != (len(t), 3):
+        said = "something else than numbers" if goal is None else f"an array of shape {goal.shape}"
+        raise UsageError(f"path: gives {said} at {len(t)} times; it must give ({len(t)}, 3), m")
+    if not np.isfinite(goal).all():
+        raise UsageError("path: gives a NaN or an infinity; it must give finite numbers")
+    over = [np.abs(goal[2 * k :] - 2 * goal[k:-k] + goal[: -2 * k]).max(axis=1) / (k * step) ** 2 for k in (1, 2)]
+    if over[0].max() > JUMPS * over[1].max():
+        k = int(over[0].argmax()) + 1
+        raise UsageError(f"path: it or its rate jumps at {t[k]:.4g} s; begin and end at rest, and give a smooth one")
+    return goal
+
+
+def _tip(model: RobotModel, p: np.ndarray) -> ca.Function:
+    """The place of the tip (3,) as a function of coordinates."""
+    q = ca.SX.sym("q", model.nq)
+    return ca.Function("tip", [q], [model.casadi()["tip_pose"](q, p)[1]])
+
+
+def _rigid(model: RobotModel, tip: ca.Function, goal: np.ndarray, near: np.ndarray) -> np.ndarray:
+    """(count, n_joints): joints with which the tip of the arm that does not bend is on the path."""
+    m, q = model.n_joints, ca.SX.sym("q", model.nq)
+    both = ca.Function("both", [q], [tip(q), ca.densify(ca.jacobian(tip(q), q)[:, :m])])
+    length = sum(link.length or 0.0 for link in model.robot.links) or 1.0
+    x, out = np.append(near, np.zeros(model.nq - m)), []
+    for k, place in enumerate(goal):
+        if k and np.array_equal(place, goal[k - 1]):
+            out.append(out[-1])
+            continue
+        for _ in range(NEWTONS):
+            there, J = (np.array(found) for found in both(x))
+            step = np.linalg.lstsq(J, place - there.ravel(), rcond=FLAT / 10)[0]
+            x[:m] += step * min(1.0, 0.3 / max(np.abs(step).max(), 1e-12))
+            if np.abs(step).max() < MEETS:
+                break
+        there, J = (np.array(found) for found in both(x))
+        sizes = np.linalg.svd(J, compute_uv=False)
+        at = f"({', '.join(f'{c:.4g}' for c in place)}) m"
+        if sizes[-1] < FLAT * max(sizes[0], length):
+            raise UsageError(f"path: at {at} the joints cannot move the tip in {m} directions; keep away from there")
+        if (off := float(np.linalg.norm(there.ravel() - place))) > 1e3 * MEETS * length:
+            raise UsageError(f"path: {at} is out of reach, by {off:.3g} m; give a path that the joints can follow")
+        out.append(x[:m].copy())
+    return np.array(out)
+
+
+def _check_cut(joints: np.ndarray, played: slice, preview: float) -> None:
+    """Refuse a preview that leaves out more of the motion than little."""
+    way = np.ptp(joints, axis=0).max()
+    for outside, what in ((joints[: played.start + 1], "begins"), (joints[played.stop - 1 :], "ends")):
+        left = np.ptp(outside, axis=0).max()
+        if left > CUT * way:
+            said = f"preview: {preview:g} s leaves out {left:.2g} rad of the motion, which {what} earlier or later"
+            raise UsageError(f"{said}; take a longer one, or a path that begins and ends more smoothly")
+
+
+def _check_efforts(tau: np.ndarray, limits: np.ndarray, names: tuple[str, ...]) -> None:
+    """Refuse a motion that takes more than the drives have."""
+    most = np.abs(tau).max(axis=0)
+    if (most > limits).any():
+        j = int((most / limits).argmax())
+        raise UsageError(f"path: it takes {most[j]:.4g} of {names[j]}, whose limit is {limits[j]:.4g}; take more time")

@@ -1,0 +1,149 @@
+"""Tips on paths: judged by the closed form of one mode, by plants that know more, by what no tip can follow."""
+
+import numpy as np
+import pytest
+from helpers import arm, example, link, model_of
+
+import screwgen
+from screwgen import UsageError
+
+LENGTH, WAY, TIME = 1.2, 1.0, 1.2
+PREVIEW = 0.1
+
+
+def eased(s):
+    """From 0 to 1 with rates, accelerations and their rates zero at both ends."""
+    return s**4 * (35 - 84 * s + 70 * s**2 - 20 * s**3)
+
+
+def sweep(t, way=WAY):
+    """Places on a circle about the joint."""
+    angle = way * eased(t / TIME)
+    return LENGTH * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=-1)
+
+
+def circle(t):
+    """Places on a circle in the plane of two links."""
+    angle = 2 * np.pi * eased(t / 2.0)
+    return np.stack([0.9 + 0.2 * np.cos(angle), 0.3 + 0.2 * np.sin(angle), 0 * angle], axis=-1)
+
+
+def rod(order=2, modes=2, **more):
+    """One link in a plane without gravity."""
+    section = {"rhoA": 0.6, "EIy": 60.0, "EIz": 60.0}
+    given = {"modes": {"bending_y": modes}, "joint": {"armature": [0.3]}, "bodies": [{"at": "tip", "mass": 1.0}]}
+    return model_of(
+        arm(
+            link("rod", axes="z", length=LENGTH, section=section, **(given | more)),
+            order=order,
+            gravity=[0.0, 0.0, 0.0],
+        )
+    )
+
+
+def planar(order=2, modes=2):
+    """Two links in a plane without gravity."""
+    section, load = {"rhoA": 0.6, "EIy": 90.0, "EIz": 90.0}, [{"at": "tip", "mass": 0.3}]
+    own = {"axes": "z", "section": section, "modes": {"bending_y": modes}, "bodies": load}
+    upper = link("upper", length=0.8, joint={"armature": [0.3]}, **own)
+    return model_of(
+        arm(upper, link("fore", length=0.7, joint={"armature": [0.1]}, **own), order=order, gravity=[0.0, 0.0, 0.0])
+    )
+
+
+def law(model):
+    """A joint law to play under."""
+    return screwgen.PD((100.0, 60.0)[: model.n_joints], (30.0, 10.0)[: model.n_joints], (0.0,) * model.n_joints)
+
+
+def miss(plant, plan, path, time, along=False):
+    """How far the tip is from its path, m; `along` it alone, for a joint cannot mend what bending shortens."""
+    run = screwgen.play(plant, plan, after=0.2).run
+    goal = path(np.clip(run.t - PREVIEW, 0.0, time))
+    off = run.tip_position - goal
+    if along:
+        ahead = np.stack([-goal[:, 1], goal[:, 0], 0 * goal[:, 0]], axis=-1) / LENGTH
+        return np.abs((off * ahead).sum(axis=1)).max()
+    return np.linalg.norm(off, axis=1).max()
+
+
+def test_a_small_motion_of_one_mode_is_the_closed_form():
+    """Bending is the two-sided convolution of the tip's acceleration with exp(-z |t|), z the zero of the arm.
+
+    With `m θ̈ + M η̈ + K η = 0` and `y = l θ + c η` it is `η̈ − z² η = m / (l μ) ÿ`, `μ = m c / l − M`, `z² = K / μ`.
+    """
+    model, small = rod(order=1, modes=1), 1e-4
+    plan = screwgen.track(model, lambda t: sweep(t, small), TIME, step=1e-3)
+    M, K = model.numpy().mass_matrix(np.zeros(2)), model.numpy().constants[0]["K"][0]
+    slope = LENGTH, model.numpy().tip_pose([0.0, 1e-3])[1][1] / 1e-3
+    mu = M[0, 1] * slope[1] / slope[0] - M[1, 1]
+    z, dt = np.sqrt(K / mu), 2e-5
+    s = np.arange(-0.4, TIME + 0.4, dt)
+    y = LENGTH * np.sin(small * eased(np.clip(s / TIME, 0.0, 1.0)))
+    acceleration = np.gradient(np.gradient(y, dt), dt)
+    times = plan.t[::100]
+    eta = [
+        -M[0, 1] / (slope[0] * mu * 2 * z) * np.sum(np.exp(-z * np.abs(t - PREVIEW - s)) * acceleration) * dt
+        for t in times
+    ]
+    joint = (np.interp(times - PREVIEW, s, y) - slope[1] * np.array(eta)) / slope[0]
+    assert np.abs(plan.q[::100, 0] - joint).max() < 1e-8 * LENGTH
+    assert np.abs(plan.q[::100, 0] - joint).max() < 1e-4 * small
+
+
+@pytest.mark.parametrize(("make", "path", "time"), [(rod, sweep, TIME), (planar, circle, 2.0)])
+def test_the_tip_is_on_its_path(make, path, time):
+    """Within 0.02 mm in an arm of order 2, and planned by an exact model within 0.1 mm in one with four modes."""
+    near = [0.0] if make is rod else [-0.5, 1.2]
+    for order, modes, most in ((2, 2, 2e-5), ("exact", 4, 1e-4)):
+        plan = screwgen.track(make(order), path, time, near=near, gains=law(make()), step=2e-3)
+        assert plan.time == pytest.approx(time + 2 * PREVIEW) and plan.said["iterations"] <= 8
+        found = miss(make(order, modes), plan, path, time, along=make is rod)
+        rigid = screwgen.PD(tuple(plan.kp), tuple(plan.kd), tuple(plan.q[-1]), duration=time)
+        run = screwgen.simulate(make(order, modes), time, 1e-3, q0=plan.q[0], controller=rigid)
+        told = np.linalg.norm(run.tip_position - path(run.t), axis=1).max()
+        assert found < most and found < 1e-3 * told
+
+
+def test_a_tip_path_is_played_from_c_as_any_plan():
+    files = screwgen.track(rod(), sweep, TIME, step=1e-2).c()
+    assert set(files) == {"arm_plan.h", "arm_plan.c"}
+
+
+def turned(t):
+    """A path whose rate jumps in the middle."""
+    return sweep(TIME * np.minimum(t / TIME, 1 - t / TIME))
+
+
+@pytest.mark.parametrize(
+    ("path", "more", "said"),
+    [
+        (lambda t: 1.01 * sweep(t), {}, "is out of reach, by 0.012 m"),
+        (lambda t: np.where(t[:, None] > 0.5, sweep(t + 0.1), sweep(t)), {}, "it or its rate jumps at 0.5"),
+        (turned, {}, "it or its rate jumps at 0.6"),
+        (lambda t: sweep(t)[:, :2], {}, "path: gives an array of shape"),
+        (lambda t: sweep(t) * np.nan, {}, "path: gives a NaN"),
+        ([0.0, 1.0], {}, "path: is no function of t"),
+        (sweep, {"preview": 0.02}, "preview: 0.02 s leaves out"),
+        (sweep, {"preview": -1.0}, "the preview is -1"),
+    ],
+)
+def test_what_no_tip_can_follow_is_one_line(path, more, said):
+    with pytest.raises(UsageError) as caught:
+        screwgen.track(rod(), path, TIME, step=1e-2, **more)
+    assert said in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_a_stretched_arm_and_weak_drives_are_refused():
+    stretch = lambda t: np.stack([1.2 + 0.3 * eased(t), 0 * t, 0 * t], axis=-1)  # noqa: E731
+    with pytest.raises(UsageError, match="cannot move the tip in 2 directions"):
+        screwgen.track(planar(), stretch, 1.0, near=[-0.5, 1.2], step=1e-2)
+    weak = rod(joint={"armature": [0.3], "limits": [{"effort": 5.0}]})
+    with pytest.raises(UsageError, match=r"whose limit is 5; take more time"):
+        screwgen.track(weak, sweep, TIME, step=1e-2)
+
+
+@pytest.mark.parametrize(("name", "what"), [("elastic_joint", "elastic drives"), ("parallelogram", "loops")])
+def test_robots_whose_joints_alone_do_not_say_the_tip_are_refused(name, what):
+    with pytest.raises(UsageError, match=what):
+        screwgen.track(example(name), sweep, TIME)

@@ -127,6 +127,7 @@ firmware: $(READY)
 	$(BIN)/python firmware/firmware.py --workers $(WORKERS) $(ARGS)
 	$(BIN)/python firmware/estimate.py
 	$(BIN)/python firmware/predictive.py $(filter --record,$(ARGS))
+	$(BIN)/python firmware/motions.py $(filter --record,$(ARGS))
 
 # Every analyser over the C of three robots in all layouts and precisions: gcc -fanalyzer, clang-tidy, cppcheck with its
 # MISRA addon, sanitizers, valgrind. Some minutes.

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import csv
+import re
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import NoReturn
 
 from cross import FirmwareError
@@ -34,6 +36,15 @@ def judged(text: str, name: str, row: Mapping[str, object], failures: list[str])
         writer.writerow(row)
     print(text, *failures, sep="\n")
     return int(bool(failures))
+
+
+def write_section(table: Path, title: str, head: str, rows: Sequence[tuple[str, str]]) -> None:
+    """Write a section of the committed table, in place of the one that it has under this title."""
+    before, *parts = re.split(r"^(?=## )", table.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    others = [part.rstrip("\n") for part in (before, *parts) if not part.startswith(f"## {title}\n")]
+    lines = [f"## {title}", "", head + ".", "", "| figure | value |", "|---|---|"]
+    own = "\n".join([*lines, *(f"| {name} | {value} |" for name, value in rows)])
+    table.write_text("\n\n".join([*others, own]) + "\n", encoding="utf-8")
 
 
 def beyond(taken: Mapping[str, tuple[int, int]]) -> list[str]:

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import budget_table
 from cross import Build, FirmwareError, generate, require, run_on_host, size_of
 from emulate import Counter, Findings, read_findings
-from outcome import OUT, ROOT, beyond, ended, judged
+from outcome import OUT, ROOT, beyond, ended, judged, write_section
 from stack import covered_stacks
 from targets import HERE, TARGETS, Variant
 
@@ -137,10 +137,7 @@ def text(r: Result) -> str:
 
 def record(r: Result) -> None:
     """The section of TABLE.md."""
-    lines = [f"## {TITLE}", "", HEAD + ".", "", "| figure | value |", "|---|---|"]
-    section = "\n".join([*lines, *(f"| {name} | {value} |" for name, value in rows(r))]) + "\n"
-    kept = budget_table.TABLE.read_text(encoding="utf-8").partition(f"\n## {TITLE}\n")[0].rstrip("\n")
-    budget_table.TABLE.write_text(f"{kept}\n\n{section}", encoding="utf-8")
+    write_section(budget_table.TABLE, TITLE, HEAD, rows(r))
 
 
 def columns(r: Result) -> dict[str, object]:

@@ -1,4 +1,4 @@
-"""A plan and a feedforward on the Cortex-M7: what `make firmware` measures, and that a figure past its limit is said."""
+"""A plan and a feedforward on the Cortex-M7: what `make firmware` measures; figures past limits are said."""
 
 import sys
 

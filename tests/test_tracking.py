@@ -141,6 +141,9 @@ def test_a_stretched_arm_and_weak_drives_are_refused():
     stretch = lambda t: np.stack([1.2 + 0.3 * eased(t), 0 * t, 0 * t], axis=-1)  # noqa: E731
     with pytest.raises(UsageError, match="cannot move the tip in 2 directions"):
         screwgen.track(planar(), stretch, 1.0, near=[-0.5, 1.2], step=1e-2)
+    narrow = rod(joint={"armature": [0.3], "limits": [{"lower": -1.0, "upper": 0.9}]})
+    with pytest.raises(UsageError, match=r"goes from .* to 1; its limits are -1 and 0.9"):
+        screwgen.track(narrow, sweep, TIME, step=1e-2)
     weak = rod(joint={"armature": [0.3], "limits": [{"effort": 5.0}]})
     with pytest.raises(UsageError, match=r"whose limit is 5; take more time"):
         screwgen.track(weak, sweep, TIME, step=1e-2)

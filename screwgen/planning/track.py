@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import casadi as ca
@@ -13,11 +13,12 @@ from ..arguments import Given, Numbers, array, real_numbers, seconds
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from .inversion import TipEquations, Window, inverted
-from .make import law_of
+from .make import joint_limits, law_of
 from .members import Still
 from .plan import MotionPlan
 from .refusals import refuse_robot
 from .solve import Progress
+from .task import JointLimits
 
 Path = Callable[[np.ndarray], Any]
 """Places (…, 3), m, in inertial axes at times (…), s."""
@@ -63,7 +64,6 @@ def track(
     time, preview, step = (
         seconds(x, what) for x, what in ((time, "the time"), (preview, "the preview"), (step, "the step"))
     )
-    law = law_of(gains, m)
     p = model.chain.parameters.vector(parameters)
     points = int(np.ceil((time + 2 * preview) / step - 1e-9))
     step = (time + 2 * preview) / points
@@ -78,16 +78,24 @@ def track(
     q, v, a, iterations = inverted(equations, window, start, progress)
     played = slice(more, more + points + 1)
     _check_cut(q[:, :m], played, preview)
-    tau = np.array(still.residual.map(points + 1)(q[played].T, v[played].T, a[played].T))[:m].T
-    moved = [np.ascontiguousarray(x[played, :m]) for x in (q, v, a)]
-    for end in (0, -1):
-        moved[1][end] = moved[2][end] = 0.0
-        tau[end] = still.held(moved[0][end]).torque
     said = {"iterations": iterations, "seconds": clock.perf_counter() - began, "preview": preview}
-    names, times = tuple(model.q_names[:m]), np.linspace(0.0, time + 2 * preview, points + 1)
-    limits = np.array(model.chain.efforts, float)
-    _check_efforts(tau, limits, names)
-    return MotionPlan(model.robot.name, names, times, *moved, tau, law.kp, law.kd, limits, said)
+    return _planned(model, still, time + 2 * preview, [x[played] for x in (q, v, a)], gains, said)
+
+
+def _planned(
+    model: RobotModel, still: Still, time: float, motion: Sequence[np.ndarray], gains: Any, said: Mapping[str, Any]
+) -> MotionPlan:
+    """The plan of coordinates, rates and accelerations at its points, which rests at both ends; checks limits."""
+    m, points = model.n_joints, len(motion[0])
+    law, limits = law_of(gains, m), joint_limits(model, {}, gains)
+    tau = np.array(still.residual.map(points)(*(x.T for x in motion)))[:m].T
+    q, v, a = (np.ascontiguousarray(x[:, :m]) for x in motion)
+    for end in (0, -1):
+        v[end] = a[end] = 0.0
+        tau[end] = still.held(q[end]).torque
+    names, most = tuple(model.q_names[:m]), limits.efforts
+    _check_limits(q, tau, limits, most, names)
+    return MotionPlan(model.robot.name, names, np.linspace(0.0, time, points), q, v, a, tau, law.kp, law.kd, most, said)
 
 
 def _sampled(path: Path, t: np.ndarray, time: float, step: float) -> np.ndarray:
@@ -118,7 +126,8 @@ def _rigid(model: RobotModel, tip: ca.Function, goal: np.ndarray, near: np.ndarr
     m, q = model.n_joints, ca.SX.sym("q", model.nq)
     both = ca.Function("both", [q], [tip(q), ca.densify(ca.jacobian(tip(q), q)[:, :m])])
     length = sum(link.length or 0.0 for link in model.robot.links) or 1.0
-    x, out = np.append(near, np.zeros(model.nq - m)), []
+    x = np.append(near, np.zeros(model.nq - m))
+    out: list[np.ndarray] = []
     for k, place in enumerate(goal):
         if k and np.array_equal(place, goal[k - 1]):
             out.append(out[-1])
@@ -150,9 +159,14 @@ def _check_cut(joints: np.ndarray, played: slice, preview: float) -> None:
             raise UsageError(f"{said}; take a longer one, or a path that begins and ends more smoothly")
 
 
-def _check_efforts(tau: np.ndarray, limits: np.ndarray, names: tuple[str, ...]) -> None:
-    """Refuse a motion that takes more than the drives have."""
-    most = np.abs(tau).max(axis=0)
-    if (most > limits).any():
-        j = int((most / limits).argmax())
-        raise UsageError(f"path: it takes {most[j]:.4g} of {names[j]}, whose limit is {limits[j]:.4g}; take more time")
+def _check_limits(q: np.ndarray, tau: np.ndarray, limits: JointLimits, most: np.ndarray, names: Sequence[str]) -> None:
+    """Refuse a motion that leaves the ranges of joints, or takes more than their drives have."""
+    for j, name in enumerate(names):
+        low, high, effort = q[:, j].min(), q[:, j].max(), np.abs(tau[:, j]).max()
+        if low < limits.lower[j] or high > limits.upper[j]:
+            said = (
+                f"{name} goes from {low:.4g} to {high:.4g}; its limits are {limits.lower[j]:g} and {limits.upper[j]:g}"
+            )
+            raise UsageError(f"path: {said}; give another path, or near")
+        if effort > most[j]:
+            raise UsageError(f"path: it takes {effort:.4g} of {name}, whose limit is {most[j]:.4g}; take more time")

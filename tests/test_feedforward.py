@@ -9,6 +9,7 @@ import pytest
 from conftest import require_tool
 from helpers import arm, example, link, model_of
 from robot_toml import to_toml
+from test_planning import ella
 
 import screwgen
 from screwgen import FeedforwardPD, UsageError
@@ -166,3 +167,18 @@ def test_robots_whose_joints_alone_do_not_say_the_efforts_are_refused(tmp_path, 
     ):
         with pytest.raises(UsageError, match=what):
             call()
+
+
+@pytest.mark.long
+def test_the_efforts_of_a_fine_plan_s_references_leave_an_exact_ella_at_rest():
+    """Of a plan of 48 intervals; those of a rigid arm leave a hundred times as much."""
+    goal, time = (-0.5, 0.7, 0.45), 1.2
+    law = screwgen.PD((711.0, 5500.0, 179.0), (153.0, 204.0, 33.7), goal, duration=time)
+    design, plant = ella(1, 2), ella("exact", 4)
+    planned = Played.of(screwgen.plan(design, [0.0] * 3, goal, time, gains=law, intervals=48))
+    at_rest = planned.rest(plant, np.array(plant.parameter_values))
+    left = []
+    for model in (design, ella(1, 0)):
+        run = screwgen.simulate(plant, time + 1, 1e-3, at_rest, controller=FeedforwardPD.of(planned, model))
+        left.append(np.linalg.norm(np.ptp(run.tip_position[run.t >= time], axis=0)))
+    assert left[0] <= 2e-4 < 1e-2 < left[1]

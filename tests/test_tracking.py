@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from helpers import arm, example, link, model_of
 from scipy.integrate import simpson
+from test_planning import ella
 
 import screwgen
 from screwgen import UsageError
@@ -153,3 +154,18 @@ def test_a_stretched_arm_and_weak_drives_are_refused():
 def test_robots_whose_joints_alone_do_not_say_the_tip_are_refused(name, what):
     with pytest.raises(UsageError, match=what):
         screwgen.track(example(name), sweep, TIME)
+
+
+@pytest.mark.long
+def test_ella_draws_a_circle_under_gravity():
+    """Three joints, planned with order 2 and two modes per plane, played in an exact arm with four."""
+    design, near = ella(2, 2), [0.2, -0.5, 0.9]
+    place = design.numpy().tip_pose(np.append(near, np.zeros(design.nq - 3)))[1]
+
+    def drawn(t):
+        angle = 2 * np.pi * eased(t / 2.0)
+        return place + 0.2 * np.stack([0 * angle, np.sin(angle), 1 - np.cos(angle)], axis=-1)
+
+    gains = screwgen.PD((711.0, 5500.0, 179.0), (153.0, 204.0, 33.7), (0.0,) * 3)
+    plan = screwgen.track(design, drawn, 2.0, near=near, gains=gains, step=4e-3)
+    assert miss(design, plan, drawn, 2.0) < 2e-5 and miss(ella("exact", 4), plan, drawn, 2.0) < 1e-4

@@ -51,7 +51,7 @@ class Window:
 
 
 @dataclass(frozen=True)
-class Slopes:
+class SampleSlopes:
     """Derivatives of the equations of every sample by coordinates, rates and accelerations, (count, n, n) each."""
 
     q: np.ndarray
@@ -90,14 +90,14 @@ class TipEquations:
         """(count, 3), m: from the path to the tip."""
         return self._mapped(self.tip, q.T).T - self.goal
 
-    def slopes(self, q: np.ndarray, v: np.ndarray, a: np.ndarray) -> Slopes:
+    def slopes(self, q: np.ndarray, v: np.ndarray, a: np.ndarray) -> SampleSlopes:
         """The derivatives of the residual."""
         n, modes = q.shape[1], q.shape[1] - self.m
         forces = self.force_slopes.map(self.count)(q.T, v.T, a.T)
         by = [np.array(x).reshape(modes, self.count, n).transpose(1, 0, 2) for x in forces]
         J = self._slopes_of(self.tip_slope, q)
         rows = [self.to_joints @ J, *[np.zeros((self.count, self.m, n))] * 2]
-        return Slopes(*(self.scale[:, None] * np.concatenate(x, axis=1) for x in zip(rows, by, strict=True)))
+        return SampleSlopes(*(self.scale[:, None] * np.concatenate(x, axis=1) for x in zip(rows, by, strict=True)))
 
     def _mapped(self, function: ca.Function, *columns: np.ndarray) -> np.ndarray:
         """A function of columns at every sample, (rows, count)."""
@@ -141,7 +141,7 @@ def inverted(
         def change(x: np.ndarray, inverse: np.ndarray = inverse) -> np.ndarray:
             return window.by_cosine(x.reshape(shape), inverse)
 
-        def product(x: np.ndarray, slopes: Slopes = slopes) -> np.ndarray:
+        def product(x: np.ndarray, slopes: SampleSlopes = slopes) -> np.ndarray:
             dq = change(x)
             dv, da = window.derivatives(dq)
             parts = ((slopes.q, dq), (slopes.v, dv), (slopes.a, da))
@@ -153,7 +153,7 @@ def inverted(
     raise UsageError("no motion was found whose tip is on the path; take a slower or smoother one, or fewer modes")
 
 
-def _inverse(slopes: Slopes, window: Window) -> np.ndarray:
+def _inverse(slopes: SampleSlopes, window: Window) -> np.ndarray:
     """(count, n, n): of every cosine what solves the equations with slopes that are the same at all samples."""
     q, a = slopes.q.mean(axis=0), slopes.a.mean(axis=0)
     return np.linalg.inv(q - window.rates[:, None, None] ** 2 * a)

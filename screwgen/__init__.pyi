@@ -30,6 +30,7 @@ from .simulation.controllers import PD as PD
 from .simulation.controllers import Holding as Holding
 from .simulation.hits import Hit as Hit
 from .simulation.hits import LimitWarning as LimitWarning
+from .simulation.integral_law import PID as PID
 from .simulation.integrate import DivergedError as DivergedError
 from .simulation.loop_watch import LoopWarning as LoopWarning
 from .simulation.loop_watch import OpenedError as OpenedError

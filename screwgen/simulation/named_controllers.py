@@ -8,7 +8,8 @@ from typing import Any
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.load import one_line
-from .controllers import Controller, read_pd
+from .controller_files import read_pd
+from .controllers import Controller
 from .input_table import read_inputs
 
 

@@ -1,0 +1,107 @@
+"""The command `gains`: gains of the joints, as a controller's file."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import typer
+
+RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")]
+Postures = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--at", metavar="Q,...", help="A posture of the joints, rad or m; may be given again. Zero, if not given."
+    ),
+]
+Factors = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--model",
+        metavar="PATTERN=FACTOR,...",
+        help="A further model by factors of its parameters, as '*.bodies[0].mass=1.3'; may be given again.",
+    ),
+]
+Bounds = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--bound",
+        metavar="KEY=X,...",
+        help="decay or damping wanted; per joint the largest kp, kd, ki; a jump of references and the largest efforts "
+        "after it; noise_q, noise_v of sensors and the largest noise_efforts. May be given again.",
+    ),
+]
+
+
+def register(app: typer.Typer, epilog: str) -> None:
+    """Add the command to the command line."""
+    app.command("gains", short_help="Find gains of the joints.", epilog=epilog)(gains)
+
+
+def gains(
+    context: typer.Context,
+    robot: RobotFile,
+    output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="The file of the law, gains.toml.")],
+    at: Postures = None,
+    model: Factors = None,
+    integral: Annotated[bool, typer.Option("--integral", help="Also sum up what joints lack, with gains ki.")] = False,
+    bound: Bounds = None,
+    step: Annotated[float, typer.Option(metavar="S", help="Between the samples of the clock.")] = 1e-3,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
+) -> None:
+    """Write joint gains under which what is slowest decays fastest, and print the figures of the sampled loop."""
+    from ..model import derive
+    from ..planning.joint_gains import gains as found_gains
+    from ..progress import busy
+    from ..simulation.runs import check_output, outputs
+    from .linear import numbers
+    from .output import load_robot, say, stoppable
+
+    quiet = quiet or context.obj
+    check_output(output, (".toml",))
+    models, bounds = [_factors(text) for text in model or []], dict(map(_bound, bound or []))
+    arm = derive(load_robot(robot, quiet))
+    m = arm.n_joints
+    postures = [numbers("q", text, m, "joint coordinates", "at") for text in at or ["0 " * m]]
+    with outputs(output) as (stream,):
+        with busy("seeking gains", quiet), stoppable():
+            law = found_gains(arm, postures, models=models, step=step, integral=integral, bounds=bounds)
+        stated = {"kp": law.kp, "kd": law.kd, "ki": law.ki, "q_des": postures[0]}
+        rows = [f"# {line}\n" for line in law.lines]
+        rows += [f"{name} = {values.tolist()}\n" for name, values in stated.items() if values is not None]
+        stream.write("".join(rows).encode())
+    say("\n".join([output, *law.lines]), quiet)
+
+
+def _factors(text: str) -> dict[str, float]:
+    """Factors of parameters by names or patterns."""
+    pairs = [_split("--model", part) for part in text.split(",")]
+    return {name: _number("--model", text, x) for name, x in pairs}
+
+
+def _bound(text: str) -> tuple[str, Any]:
+    """A bound by its name: a number, or one for each joint."""
+    from ..planning.gain_bounds import SCALARS
+
+    name, values = _split("--bound", text)
+    found = [_number("--bound", text, x) for x in values.split(",")]
+    return name, found[0] if name in SCALARS and len(found) == 1 else found
+
+
+def _split(option: str, text: str) -> tuple[str, str]:
+    from ..errors import UsageError
+    from ..spec.load import one_line
+
+    name, sign, value = text.rpartition("=")
+    if not (sign and name.strip() and value.strip()):
+        raise UsageError(f"{option}: '{one_line(text)}' is no NAME=NUMBER; write a name, = and a number")
+    return name.strip(), value.strip()
+
+
+def _number(option: str, text: str, word: str) -> float:
+    from ..errors import UsageError
+    from ..spec.load import one_line
+
+    try:
+        return float(word)
+    except ValueError:
+        raise UsageError(f"{option}: '{one_line(text)}' has '{one_line(word)}', which is no number") from None

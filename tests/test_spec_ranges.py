@@ -119,7 +119,7 @@ def test_a_state_states_sizes_that_motions_have(model, key, size):
 
 @pytest.mark.parametrize("key", ["kp", "kd", "ki", "tau_max", "duration"])
 def test_gains_have_sizes_too(model, tmp_path, key):
-    given = dict.fromkeys(("kp", "kd", "q_des", "tau_max"), "[1, 1, 1]") | {"duration": "1.0"}
+    given = dict.fromkeys(("kp", "kd", "ki", "q_des", "tau_max"), "[1, 1, 1]") | {"duration": "1.0"}
     for number in outside(key):
         value = given[key].replace("1.0" if key == "duration" else "1", str(number), 1)
         (tmp_path / "gains.toml").write_text("\n".join(f"{k} = {v}" for k, v in (given | {key: value}).items()))

@@ -80,11 +80,12 @@ class JointGains:
                 out.append(f"{deviations}efforts {what}: {', '.join(f'{x:.3g}' for x in efforts)}")
         for q, loops in zip(self.postures, self.margins, strict=True):
             at = ", ".join(f"{x:g}" for x in q)
-            out += [f"at {at}: joint {j}: {_margin_words(margin)}" for j, margin in enumerate(loops)]
+            out += [f"at {at}: joint {j}: {margin_words(margin)}" for j, margin in enumerate(loops)]
         return out
 
 
-def _margin_words(x: LoopMargin) -> str:
+def margin_words(x: LoopMargin) -> str:
+    """The margins of a loop in words."""
     delay = "any delay" if np.isinf(x.delay) else f"delay {x.delay * 1e3:.3g} ms"
     return f"gain {x.lower:.2g} to {x.upper:.3g}, disk {x.disk:.2g} (phase {x.phase:.0f} degrees), {delay}"
 
@@ -114,7 +115,7 @@ def gains(
     refuse_robot(model, "search for gains", "state gains of your own")
     m, step = model.n_joints, seconds(step, "the step")
     limits = GainBounds.of(bounds or {}, model.chain.efforts)
-    at = _postures(model, postures)
+    at = postures_within(model, postures)
     values = model.chain.parameters.vector(parameters)
     ways = [values, *(scaled(model, values, f) for f in models)]
     own = RestLoops.of(model, ways, at, step)
@@ -145,7 +146,8 @@ def gains(
     )
 
 
-def _postures(model: RobotModel, given: Sequence[Numbers]) -> np.ndarray:
+def postures_within(model: RobotModel, given: Sequence[Numbers]) -> np.ndarray:
+    """Postures (k, n_joints) within the limits of the joints; raises UsageError."""
     m = model.n_joints
     at = np.array([array(q, "postures:", (m,)) for q in given]).reshape(-1, m)
     if not len(at):

@@ -10,6 +10,9 @@ import numpy as np
 from ..lazily import linalg
 from .members import Still
 
+ALIKE = 0.02
+"""How far a fast motion may be moved by a loop, times the step, and still be known."""
+
 
 class LoopGains(NamedTuple):
     """Gains of a joint law (n_joints,): N·m/rad, N·m·s/rad and N·m/(rad·s), of slides N in place of N·m, m of rad."""
@@ -49,6 +52,8 @@ class SampledLoop:
     A: np.ndarray
     B: np.ndarray
     step: float
+    beyond: np.ndarray
+    """Poles, 1/s, of open motions that turn by more than half a turn in a step: samples show them as slower ones."""
 
     @classmethod
     def of(cls, still: Still, q: np.ndarray, step: float) -> SampledLoop:
@@ -62,7 +67,8 @@ class SampledLoop:
         A = np.block([[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, np.hstack([K, D]))]])
         B = np.vstack([np.zeros((n, m)), np.linalg.solve(M, np.eye(n)[:, :m])])
         whole = linalg.expm(step * np.block([[A, B], [np.zeros((m, 2 * n + m))]]))
-        return cls(whole[: 2 * n, : 2 * n], whole[: 2 * n, 2 * n :], step)
+        s = np.linalg.eigvals(A).astype(complex)
+        return cls(whole[: 2 * n, : 2 * n], whole[: 2 * n, 2 * n :], step, s[np.abs(s.imag) > np.pi / step])
 
     def closed(self, gains: LoopGains) -> Closed:
         """The loop under a joint law; behind coordinates and rates stand integrals of what joints lack."""
@@ -77,7 +83,17 @@ class SampledLoop:
 
     def poles(self, gains: LoopGains) -> np.ndarray:
         """Rates of growth and angular frequencies of the loop, 1/s, as complex numbers."""
-        return rates(self.closed(gains).transition, self.step)
+        return self.rates(self.closed(gains).transition)
+
+    def rates(self, transition: np.ndarray) -> np.ndarray:
+        """The poles of a loop that is closed about these motions; those of fast ones with their true frequencies."""
+        s = rates(transition, self.step)
+        for pole in self.beyond:
+            shown = np.log(np.exp(pole * self.step)) / self.step
+            k = int(np.abs(s - shown).argmin())
+            if np.abs(s[k] - shown) * self.step < ALIKE:
+                s[k] = complex(s[k].real, pole.imag)
+        return s
 
 
 def rates(transition: np.ndarray, step: float) -> np.ndarray:

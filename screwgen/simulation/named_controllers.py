@@ -19,9 +19,16 @@ def _read_played(path: Any, model: RobotModel) -> Controller:
     return read_played(path, model)
 
 
+def _read_lqg(path: Any, model: RobotModel) -> Controller:
+    from .lqg_law import read_lqg_law
+
+    return read_lqg_law(path, model)
+
+
 CONTROLLERS: dict[str, Callable[[Any, RobotModel], Controller]] = {
     "pd": read_pd,
     "plan": _read_played,
+    "lqg": _read_lqg,
     "csv": read_inputs,
 }
 

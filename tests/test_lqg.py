@@ -8,6 +8,7 @@ import pytest
 from conftest import require_tool
 from helpers import arm, example, link, model_of
 from robot_toml import to_toml
+from test_planning import ella
 
 import screwgen
 from screwgen import UsageError
@@ -87,10 +88,10 @@ def test_a_loop_with_the_filter_moves_as_runs_do(model, law):
 
 def test_all_points_are_stable_and_loads_that_the_law_is_told_come_to_rest(model, law):
     assert sum("stable" in line for line in law.lines) == 3
-    for load, told in ((0.8, (0.8,)), (1.3, (1.3,)), (1.2, (1.0,))):
+    for load, told in ((0.8, (0.8,)), (1.2, (1.0,))):
         p = model.chain.parameters.vector({LOAD: load})
         controller = screwgen.LqgLaw.of(law, [0.5], duration=1.0, loads=told)
-        run = screwgen.simulate(model, 7.0, STEP, rest(model, [0.0], p), controller=controller, parameters=p)
+        run = screwgen.simulate(model, 5.0, STEP, rest(model, [0.0], p), controller=controller, parameters=p)
         assert np.abs(run.tau).max() <= LIMIT
         assert run.q[-1, 0] == pytest.approx(0.5, abs=1e-3) and np.abs(run.v[-1]).max() < 5e-3
 
@@ -273,3 +274,25 @@ def test_the_load_of_the_gantry_sways_less_than_under_joint_gains():
         sway[name] = np.linalg.norm(np.ptp(run.tip_position[run.t >= 3.0], axis=0))
     print(sway, *law.lines, sep="\n")  # shown by pytest -s
     assert sway["lqg"] < 0.5 * sway["pd"]
+
+
+@pytest.mark.long
+def test_a_law_for_ella_is_stable_in_the_exact_arm_with_other_payloads():
+    """Found on order 1 with two modes per plane, played in exact rods with four; the payload 30 % off, and unknown."""
+    design, plant = ella(1, 2), ella("exact", 4)
+    payload, goal = "forearm.bodies[0].mass", (-0.5, 0.7, 0.45)
+    law = screwgen.lqg(
+        design,
+        {"upper_arm.joint[1]": np.linspace(0.0, 0.75, 4), "forearm.joint[0]": np.linspace(0.0, 0.5, 3)},
+        models=[{payload: factor} for factor in (0.7, 1.3)],
+        postures=[[0.0] * 3, [-0.6, 0.0, 0.0]],
+    )
+    own = plant.parameter_values[plant.parameter_names.index(payload)]
+    for factor in (0.7, 1.0, 1.3):
+        p = plant.chain.parameters.vector({payload: factor * own})
+        controller = screwgen.LqgLaw.of(law, goal, duration=1.2)
+        run = screwgen.simulate(plant, 4.0, STEP, rest(plant, [0.0] * 3, p), controller=controller, parameters=p)
+        early, late = (
+            np.linalg.norm(np.ptp(run.tip_position[(run.t >= t) & (run.t < t + 0.8)], axis=0)) for t in (1.2, 3.2)
+        )
+        assert late < 0.15 * early and np.abs(run.q[-1, :3] - goal).max() < 5e-3

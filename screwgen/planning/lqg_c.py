@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from ..backends.c.columns import rendered
 from ..errors import UsageError
 from ..spec.names import robot_name
 from ..version import __version__ as VERSION
-from .lqg import Lqg
 from .plan_c import JOINT, numbers
+
+if TYPE_CHECKING:
+    from .lqg import Lqg
 
 FILES = ("lqg.h", "lqg.c")
 """The files without the robot's name; their templates have the same names."""

@@ -188,7 +188,7 @@ def test_further_modes_are_stated_and_count():
     assert found.further is not None and found.further.margin >= -2e-4
     assert any(line.startswith("with the next two modes per plane: slowest decay") for line in found.lines)
     rigid = screwgen.gains(model_of(rotor()), [[0.0]])
-    assert rigid.further is None
+    assert rigid.further is None and np.isfinite(rigid.decay)
 
 
 def test_the_command_takes_payloads_bounds_and_an_integral(tmp_path, capsys):

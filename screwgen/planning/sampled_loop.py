@@ -105,7 +105,7 @@ class LoopFigures(NamedTuple):
     """How motions of loops decay."""
 
     decay: float
-    """1/s: of the slowest one below the band."""
+    """1/s: of the slowest one below the band; of all where none is below."""
     damping: float
     """The least damping ratio below the band."""
     margin: float
@@ -116,8 +116,7 @@ class LoopFigures(NamedTuple):
         """Of the poles of loops; `band`, Hz."""
         slow = np.concatenate([s[np.abs(s.imag) < 2 * np.pi * band] for s in each])
         every = np.concatenate(each)
-        if not len(slow):
-            return cls(np.inf, 1.0, _ratio(every))
+        slow = slow if len(slow) else every
         return cls(float((-slow.real).min()), _ratio(slow), _ratio(every))
 
 

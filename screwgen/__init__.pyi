@@ -18,6 +18,9 @@ from .model import Model as Model
 from .model import derive as derive
 from .planning.joint_gains import JointGains as JointGains
 from .planning.joint_gains import gains as gains
+from .planning.lqg import Lqg as Lqg
+from .planning.lqg_files import read_lqg as read_lqg
+from .planning.lqg_make import lqg as lqg
 from .planning.make import plan as plan
 from .planning.plan import MotionPlan as MotionPlan
 from .planning.plan_files import read_plan as read_plan
@@ -34,9 +37,11 @@ from .simulation.feedforward import FedMotion as FedMotion
 from .simulation.feedforward import feedforward as feedforward
 from .simulation.hits import Hit as Hit
 from .simulation.hits import LimitWarning as LimitWarning
+from .simulation.integral_law import PID as PID
 from .simulation.integrate import DivergedError as DivergedError
 from .simulation.loop_watch import LoopWarning as LoopWarning
 from .simulation.loop_watch import OpenedError as OpenedError
+from .simulation.lqg_law import LqgLaw as LqgLaw
 from .simulation.rollout import Rollout as Rollout
 from .simulation.rollout import rollout as rollout
 from .simulation.runs import Run as Run

@@ -186,7 +186,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
     import screwgen
     from screwgen.reduction.finite_elements import load_npz
     from screwgen.reduction.standard import load_sid
-    from screwgen.simulation.controllers import read_pd
+    from screwgen.simulation.controller_files import read_pd
     from screwgen.simulation.state import read_state
     from screwgen.spec.load import load
     from screwgen.spec.mpc import load_mpc

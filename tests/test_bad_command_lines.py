@@ -167,7 +167,8 @@ GAIN_FILES = {
     WAYS
     + "waypoints = [{ t = 1, q = [0, 0, 0] }, { t = 1, q = [0, 0, 0] }]": "waypoints[1].t: is 1.0; it must be later",
     WAYS + "waypoints = [{ t = 1, q = [0, 0, 0], v = 1 }]": "waypoints[0]: is a table; it must be a table of t and q",
-    GAINS + "ki = [1, 1, 1]": "ki: is an unknown key; known here: kp, kd",
+    GAINS + "kj = [1, 1, 1]": "kj: is an unknown key; known here: kp, kd",
+    GAINS + "ki = [1, -1, 1]": "ki[1]: is -1; it must be >= 0",
     GAINS + "tau_limit = [1, 1, 1]": "tau_limit: is an unknown key",
     GAINS + "start = 2024-02-31": "is not valid TOML|cannot be read",
 }

@@ -14,7 +14,8 @@ from screwgen.cli.main import main
 from screwgen.errors import DivergedError
 from screwgen.simulation.captured_state import CapturedState
 from screwgen.simulation.control_loop import ControlLoopWarning
-from screwgen.simulation.controllers import PD, read_pd
+from screwgen.simulation.controller_files import read_pd
+from screwgen.simulation.controllers import PD
 from screwgen.simulation.validity import ModelValidityWarning
 from screwgen.studies.light_joints import SLOW, light_joints, steps_borne
 

@@ -17,7 +17,8 @@ from screwgen.backends.latex import document as latex
 from screwgen.errors import RobotFileError
 from screwgen.plotting import plot
 from screwgen.runtime.stepper import CompiledStepper
-from screwgen.simulation.controllers import Holding, read_pd
+from screwgen.simulation.controller_files import read_pd
+from screwgen.simulation.controllers import Holding
 from screwgen.simulation.motion import centrelines
 from screwgen.spec import load
 from screwgen.spec.base import TWIST

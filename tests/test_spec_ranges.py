@@ -7,12 +7,12 @@ from bad_robot_files import FREE, GOOD, MATERIAL, SCREW, refusal
 
 from screwgen import UsageError, derive
 from screwgen.errors import RobotFileError
-from screwgen.simulation.controllers import read_pd
+from screwgen.simulation.controller_files import read_pd
 from screwgen.simulation.state import state_of
 from screwgen.spec import Joint, load
 from screwgen.spec.ranges import RANGES
 
-GIVEN = {"q", "v", "tau", "w_ext", "kp", "kd", "tau_max", "duration", "force_input", "brake"}
+GIVEN = {"q", "v", "tau", "w_ext", "kp", "kd", "ki", "tau_max", "duration", "force_input", "brake"}
 """Not in a robot file."""
 
 KEYS = {
@@ -117,9 +117,9 @@ def test_a_state_states_sizes_that_motions_have(model, key, size):
             state_of({key: value}, model)
 
 
-@pytest.mark.parametrize("key", ["kp", "kd", "tau_max", "duration"])
+@pytest.mark.parametrize("key", ["kp", "kd", "ki", "tau_max", "duration"])
 def test_gains_have_sizes_too(model, tmp_path, key):
-    given = dict.fromkeys(("kp", "kd", "q_des", "tau_max"), "[1, 1, 1]") | {"duration": "1.0"}
+    given = dict.fromkeys(("kp", "kd", "ki", "q_des", "tau_max"), "[1, 1, 1]") | {"duration": "1.0"}
     for number in outside(key):
         value = given[key].replace("1.0" if key == "duration" else "1", str(number), 1)
         (tmp_path / "gains.toml").write_text("\n".join(f"{k} = {v}" for k, v in (given | {key: value}).items()))

@@ -20,7 +20,7 @@ from screwgen.backends.c.project import CProject
 from screwgen.backends.latex import document as latex
 from screwgen.plotting import plot
 from screwgen.plugins import plugins
-from screwgen.simulation.controllers import read_pd
+from screwgen.simulation.controller_files import read_pd
 from screwgen.spec.inputs import input_units
 from screwgen.spec.parameters import coordinate_units, parameters
 

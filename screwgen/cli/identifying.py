@@ -108,7 +108,7 @@ def excite(
     from ..identification.excite import excite as found_motion
     from ..model import derive
     from ..progress import told
-    from ..simulation.controllers import read_pd
+    from ..simulation.controller_files import read_pd
     from ..simulation.runs import check_output, outputs
     from ..spec.excitation import read_excitation
     from .output import load_robot, notes, say

@@ -1,4 +1,4 @@
-"""Commands for motions that end at rest: gains and plan."""
+"""The command for motions that end at rest: plan."""
 
 from __future__ import annotations
 
@@ -19,44 +19,8 @@ Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no s
 
 
 def register(app: typer.Typer, epilog: str) -> None:
-    """Add the commands to the command line."""
-    app.command("gains", short_help="Find gains of the joints.", epilog=epilog)(gains)
+    """Add the command to the command line."""
     app.command("plan", short_help="Plan a motion that ends at rest.", epilog=epilog)(plan)
-
-
-def gains(
-    context: typer.Context,
-    robot: RobotFile,
-    output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="The file of the law, gains.toml.")],
-    at: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="Q,...", help="A posture of the joints, rad or m; may be given again. Zero, if not given."
-        ),
-    ] = None,
-    step: Annotated[float, typer.Option(metavar="S", help="Between the samples of the clock.")] = 1e-3,
-    quiet: Quiet = False,
-) -> None:
-    """Write joint gains under which what is slowest decays fastest, and print the figures of the sampled loop."""
-    from ..model import derive
-    from ..planning.joint_gains import gains as found_gains
-    from ..progress import busy
-    from ..simulation.runs import check_output, outputs
-    from .linear import numbers
-    from .output import load_robot, say, stoppable
-
-    quiet = quiet or context.obj
-    check_output(output, (".toml",))
-    model = derive(load_robot(robot, quiet))
-    m = model.n_joints
-    postures = [numbers("q", text, m, "joint coordinates", "at") for text in at or ["0 " * m]]
-    with outputs(output) as (stream,):
-        with busy("seeking gains", quiet), stoppable():
-            law = found_gains(model, postures, step=step)
-        rows = [("kp", law.kp.tolist()), ("kd", law.kd.tolist()), ("q_des", postures[0].tolist())]
-        text = f"# {law.line}\n" + "".join(f"{name} = {values}\n" for name, values in rows)
-        stream.write(text.encode())
-    say(f"{output}\n{law.line}", quiet)
 
 
 def plan(
@@ -74,7 +38,7 @@ def plan(
     from ..model import derive
     from ..planning.make import plan as made
     from ..progress import bar
-    from ..simulation.controllers import read_pd
+    from ..simulation.controller_files import read_pd
     from ..spec.plan import read_task
     from .output import load_robot, say, stoppable
 

@@ -4,28 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from ..arguments import Given, Numbers, array, seconds
 from ..errors import UsageError
-from ..lazily import linalg
 from ..robot_model import RobotModel
+from .further_modes import with_further_modes
+from .gain_bounds import GainBounds
+from .gain_search import GROWTH, GainSearch
+from .loop_margins import LoopMargin, loop_margins, worst
 from .make import scaled
 from .members import Still
-from .refusals import refuse_robot
+from .refusals import ROUNDING, refuse_robot
+from .sampled_loop import LoopFigures, LoopGains, SampledLoop, noise_torques, step_efforts
 
 STEP = 1e-3
-SLOWEST, FASTEST = 1.0, 60.0
-"""Between which a joint alone, all others held, would swing on its gain, rad/s."""
-DAMPING = (0.05, 3.0)
-"""Between which its damping ratio would be."""
-GROWTH = 1e-4
-"""The ratio to its frequency at which a fast oscillation may grow: a tenth of what metals take out of it."""
-THRIFT = 0.03
-"""What a factor e of a gain is worth in decay, 1/s: of laws that are alike the softer one is taken."""
-STEEP, SPARE = 1e4, 2.0
-ROUNDS, CROWD, SEED = 60, 8, 1
+BAND = 0.025
+"""Up to which frequency motions count as those of the loop, times the step."""
+ROUNDS = 3
+"""How often gains are sought with bounds drawn closer, where the whole loop exceeds what one gain alone would not."""
+SAMPLES = 3000
+"""How many samples are looked at after a jump of references."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +35,8 @@ class JointGains:
 
     kp: np.ndarray
     kd: np.ndarray
+    ki: np.ndarray | None
+    """None without integral."""
     decay: float
     """1/s: of the slowest motion of the loop below `band`."""
     damping: float
@@ -44,6 +47,16 @@ class JointGains:
     """The least damping ratio of all motions, fast ones too; no damping of materials is assumed beyond the file's."""
     spare: float
     """The factor on all gains up to which nothing grows; at most ten."""
+    postures: np.ndarray
+    """(k, n_joints): the postures that were looked at."""
+    margins: tuple[tuple[LoopMargin, ...], ...]
+    """Of each posture those of each joint's loop, the worst of all models."""
+    further: LoopFigures | None
+    """Of the arm with the next two modes per plane; None where no link bends."""
+    jump_efforts: np.ndarray
+    """(n_joints,): the largest efforts after a jump of the references, with those that hold the arm."""
+    noise_efforts: np.ndarray
+    """(n_joints,): the standard deviations of efforts that the noise of sensors causes."""
 
     @property
     def line(self) -> str:
@@ -53,6 +66,29 @@ class JointGains:
             f"least damping of all {self.margin:.2g}; all gains may grow by a factor {self.spare:.3g}"
         )
 
+    @property
+    def lines(self) -> list[str]:
+        """All figures in words, a line each."""
+        out = [self.line]
+        if self.further is not None:
+            x = self.further
+            said = f"slowest decay {x.decay:.3g} 1/s, least damping {x.damping:.3g}, of all {x.margin:.2g}"
+            out.append(f"with the next two modes per plane: {said}")
+        for what, efforts in (("after the jump of references", self.jump_efforts), ("by noise", self.noise_efforts)):
+            if efforts.any():
+                deviations = "standard deviations of " * (what == "by noise")
+                out.append(f"{deviations}efforts {what}: {', '.join(f'{x:.3g}' for x in efforts)}")
+        for q, loops in zip(self.postures, self.margins, strict=True):
+            at = ", ".join(f"{x:g}" for x in q)
+            out += [f"at {at}: joint {j}: {margin_words(margin)}" for j, margin in enumerate(loops)]
+        return out
+
+
+def margin_words(x: LoopMargin) -> str:
+    """The margins of a loop in words."""
+    delay = "any delay" if np.isinf(x.delay) else f"delay {x.delay * 1e3:.3g} ms"
+    return f"gain {x.lower:.2g} to {x.upper:.3g}, disk {x.disk:.2g} (phase {x.phase:.0f} degrees), {delay}"
+
 
 def gains(
     model: RobotModel,
@@ -60,113 +96,104 @@ def gains(
     *,
     models: Sequence[Mapping[str, float]] = (),
     step: float = STEP,
-    kp_max: Numbers | None = None,
-    kd_max: Numbers | None = None,
+    integral: bool = False,
+    bounds: Mapping[str, Any] | None = None,
     parameters: Given = None,
 ) -> JointGains:
     """Gains `kp`, `kd` of all joints under which what is slowest decays fastest, in all `postures` and `models`.
 
     The loop is the one that a clock of `step` seconds closes: torques are held between samples. `models`: factors of
-    parameters, as :func:`plan` has them. `kp_max`, `kd_max` (n_joints,): the largest gains. What counts are motions up
-    to a fortieth of the clock's rate; faster ones, of further modes, may only not grow, with twice the gains neither.
+    parameters, as :func:`plan` has them. What counts are motions up to a fortieth of the clock's rate; faster ones,
+    also those of the next two modes of every plane, may only not grow, with twice the gains neither.
 
-    Raises UsageError where no gains are stable.
+    `integral`: whether the law also sums up what joints lack, with gains `ki`. `bounds`: `decay` and `damping` wanted;
+    the largest `kp`, `kd` and `ki` (n_joints,); `jump` (n_joints,) of the references and the largest `efforts` after
+    it; `noise_q`, `noise_v` (n_joints,) of what is measured and the largest deviations `noise_efforts` of efforts.
+
+    Raises UsageError where no gains are stable, or none keep the bounds.
     """
     refuse_robot(model, "search for gains", "state gains of your own")
     m, step = model.n_joints, seconds(step, "the step")
+    limits = GainBounds.of(bounds or {}, model.chain.efforts)
+    at = postures_within(model, postures)
     values = model.chain.parameters.vector(parameters)
-    stills = [Still(model, p) for p in (values, *(scaled(model, values, f) for f in models))]
-    rests = [(still, still.held(array(q, "postures:", (m,))).q) for q in postures for still in stills]
-    if not rests:
+    ways = [values, *(scaled(model, values, f) for f in models)]
+    own = RestLoops.of(model, ways, at, step)
+    richer = with_further_modes(model)
+    further = None if richer is None else RestLoops.of(richer, ways, at, step)
+    search = GainSearch(own.loops, own.inertia[:m], BAND / step, limits, integral, limits.largest(own.holding))
+    law, efforts, noise = _within_bounds(search, own, limits)
+    if further is not None and not search.borne(law, further.loops):
+        search = search.beside(further.loops)
+        law, efforts, noise = _within_bounds(search, own, limits)
+        if not search.borne(law, further.loops):
+            raise UsageError("gains: those that were found are unstable with the next two modes per plane; lower kd")
+    figures = LoopFigures.of([loop.poles(law) for loop in own.loops], BAND / step)
+    search.check(figures)
+    count = len(ways)
+    each = [loop_margins(loop.closed(law), step) for loop in own.loops]
+    return JointGains(
+        *law,
+        *figures[:2],
+        BAND / step,
+        figures.margin,
+        search.spare(law),
+        at,
+        tuple(worst(each[k * count : (k + 1) * count]) for k in range(len(at))),
+        None if further is None else LoopFigures.of([x.poles(law) for x in further.loops], BAND / step),
+        efforts,
+        noise,
+    )
+
+
+def postures_within(model: RobotModel, given: Sequence[Numbers]) -> np.ndarray:
+    """Postures (k, n_joints) within the limits of the joints; raises UsageError."""
+    m = model.n_joints
+    at = np.array([array(q, "postures:", (m,)) for q in given]).reshape(-1, m)
+    if not len(at):
         raise UsageError("postures: are none; give at least one")
-    loops = [SampledLoop.of(still, q, step) for still, q in rests]
-    inertia = np.max([np.diag(np.array(still.inertia(q)))[:m] for still, q in rests], axis=0)
-    search = Search(loops, inertia, 0.025 / step, *(_most(x, m) for x in (kp_max, kd_max)))
-    return search.found()
-
-
-def _most(given: Numbers | None, m: int) -> np.ndarray:
-    most = np.full(m, np.inf) if given is None else array(given, "gains: largest:", (m,))
-    if not (most > 0).all():
-        raise UsageError("gains: the largest ones must be > 0")
-    return most
+    lower, upper = model.chain.limits.T
+    if (out := np.argwhere((at < lower - ROUNDING) | (at > upper + ROUNDING))).size:
+        k, j = out[0]
+        said = f"{model.q_names[j]} is {at[k, j]:g}; its limits are {lower[j]:g} and {upper[j]:g}"
+        raise UsageError(f"postures: {said}; choose one within them")
+    return at
 
 
 @dataclass(frozen=True)
-class SampledLoop:
-    """Small motions about a rest from sample to sample: `x+ = A x + B tau`."""
-
-    A: np.ndarray
-    B: np.ndarray
-    step: float
-
-    @classmethod
-    def of(cls, still: Still, q: np.ndarray, step: float) -> SampledLoop:
-        """About a rest, torques held over a step."""
-        n, m = len(q), still.joints
-        M, D, K = still.matrices(q)
-        A = np.block([[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, np.hstack([K, D]))]])
-        B = np.vstack([np.zeros((n, m)), np.linalg.solve(M, np.eye(n)[:, :m])])
-        whole = linalg.expm(step * np.block([[A, B], [np.zeros((m, 2 * n + m))]]))
-        return cls(whole[: 2 * n, : 2 * n], whole[: 2 * n, 2 * n :], step)
-
-    def poles(self, kp: np.ndarray, kd: np.ndarray) -> np.ndarray:
-        """Rates of growth and angular frequencies of the loop, 1/s, as complex numbers."""
-        n, m = len(self.A) // 2, len(kp)
-        G = np.zeros((m, 2 * n))
-        G[range(m), range(m)], G[range(m), range(n, n + m)] = kp, kd
-        return np.log(np.linalg.eigvals(self.A - self.B @ G).astype(complex)) / self.step
-
-
-@dataclass(frozen=True)
-class Search:
-    """The search for gains over loops."""
+class RestLoops:
+    """The small motions of an arm about rests, posture by posture those of all its models."""
 
     loops: Sequence[SampledLoop]
     inertia: np.ndarray
-    band: float
-    kp_max: np.ndarray
-    kd_max: np.ndarray
+    """The largest inertias that torques feel, all others free."""
+    holding: np.ndarray
+    """(n_joints,): the largest torques that hold the arm."""
 
-    def gains(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Gains from logarithms of frequencies and damping ratios of joints alone."""
-        rate, damping = np.exp(np.split(x, 2))
-        kp, kd = self.inertia * rate**2, 2 * damping * self.inertia * rate
-        return np.minimum(kp, self.kp_max), np.minimum(kd, self.kd_max)
+    @classmethod
+    def of(cls, model: RobotModel, ways: Sequence[np.ndarray], postures: np.ndarray, step: float) -> RestLoops:
+        """Of a model at several parameters."""
+        stills = [Still(model, p) for p in ways]
+        rests = [(still, still.held(q)) for q in postures for still in stills]
+        inertia = np.max([np.diag(np.array(still.inertia(rest.q))) for still, rest in rests], axis=0)
+        holding = np.max([np.abs(rest.torque) for _, rest in rests], axis=0)
+        return cls([SampledLoop.of(still, rest.q, step) for still, rest in rests], inertia, holding)
 
-    def figures(self, kp: np.ndarray, kd: np.ndarray) -> tuple[float, float, float]:
-        """Slowest decay and least damping up to the band, and least damping of all."""
-        each = [loop.poles(kp, kd) for loop in self.loops]
-        slow = np.concatenate([s[np.abs(s.imag) < 2 * np.pi * self.band] for s in each])
-        every = np.concatenate(each)
-        ratio = lambda s: float((-s.real / np.maximum(np.abs(s), 1e-300)).min())  # noqa: E731
-        return float((-slow.real).min()) if len(slow) else np.inf, ratio(slow) if len(slow) else 1.0, ratio(every)
 
-    def cost(self, x: np.ndarray) -> float:
-        """What is minimised: slowness, then size, and growth above all."""
-        kp, kd = self.gains(x)
-        decay, _, margin = self.figures(kp, kd)
-        margin = min(margin, self.figures(SPARE * kp, SPARE * kd)[2])
-        return -decay + THRIFT * float(np.abs(x).sum()) + STEEP * max(0.0, -margin - GROWTH)
-
-    def found(self) -> JointGains:
-        """The best gains; the search draws the same numbers in every run."""
-        from scipy.optimize import differential_evolution, minimize
-
-        m = len(self.inertia)
-        bounds = [tuple(np.log((SLOWEST, FASTEST)))] * m + [tuple(np.log(DAMPING))] * m
-        rough = differential_evolution(
-            self.cost, bounds, seed=SEED, popsize=CROWD, maxiter=ROUNDS, polish=False, init="sobol"
-        )
-        x = minimize(self.cost, rough.x, method="Nelder-Mead", options={"maxfev": 500}).x
-        kp, kd = (np.array([float(f"{g:.3g}") for g in each]) for each in self.gains(x))
-        decay, damping, margin = self.figures(kp, kd)
-        if margin < -2 * GROWTH or decay <= 0:
-            raise UsageError("gains: none were found that are stable at this step; take a shorter one")
-        return JointGains(kp, kd, decay, damping, self.band, margin, self._spare(kp, kd))
-
-    def _spare(self, kp: np.ndarray, kd: np.ndarray) -> float:
-        """How far gains may grow together, up to ten times."""
-        factors = np.geomspace(1.0, 10.0, 47)
-        held = [self.figures(s * kp, s * kd)[2] >= -2 * GROWTH for s in factors]
-        return float(factors[max(0, held.index(False) - 1) if False in held else -1])
+def _within_bounds(search: GainSearch, own: RestLoops, limits: GainBounds) -> tuple[LoopGains, np.ndarray, np.ndarray]:
+    """The best gains with the efforts after a jump and by noise, sought with closer bounds until all are kept."""
+    for _ in range(ROUNDS):
+        law = search.found()
+        efforts, noise = np.zeros_like(own.holding), np.zeros_like(own.holding)
+        if limits.jump.any():
+            reached = [step_efforts(loop, law, limits.jump, SAMPLES) for loop in own.loops]
+            efforts = own.holding + np.max(reached, axis=0)
+        if limits.noise.any():
+            noise = np.max([noise_torques(loop, law, limits.noise) for loop in own.loops], axis=0)
+        by_jump = np.where(limits.jump > 0, efforts / limits.efforts, 0.0)
+        by_noise = np.where(noise > 0, noise / limits.noise_efforts, 0.0)
+        if max(by_jump.max(), by_noise.max()) <= 1 + GROWTH:
+            return law, efforts, noise
+        search = search.closer(law, np.maximum(by_jump, by_noise), by_noise)
+    named = "efforts after the jump" if by_jump.max() > 1 + GROWTH else "noise_efforts"
+    raise UsageError(f"bounds: {named}: no gains keep them within {ROUNDS} searches; allow more of them")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import casadi as ca
@@ -28,17 +29,13 @@ class Still:
     """The forces of a model that rests, and how it vibrates about a rest."""
 
     def __init__(self, model: RobotModel, p: np.ndarray):
-        whole, n = model.casadi()["inverse_dynamics"], model.nq
+        found = model.once("forces at rest", partial(_forces_at_rest, model))
+        n = model.nq
         q, v, a = (ca.SX.sym(name, n) for name in "qva")
-        force = whole(q, v, a, ca.DM.zeros(6, model.n_links), p)
-        still = ca.substitute(force, ca.vertcat(v, a), ca.DM.zeros(2 * n))
         self.joints = model.n_joints
+        force = model.casadi()["inverse_dynamics"](q, v, a, ca.DM.zeros(6, model.n_links), p)
         self.residual = ca.Function("residual", [q, v, a], [force])
-        self.statics = ca.Function("statics", [q], [still, ca.jacobian(still, q)])
-        damping = ca.substitute(ca.jacobian(force, v), ca.vertcat(v, a), ca.DM.zeros(2 * n))
-        self.damping = ca.Function("damping", [q], [damping])
-        inertia = ca.substitute(ca.jacobian(force, a), ca.vertcat(v, a), ca.DM.zeros(2 * n))
-        self.inertia = ca.Function("inertia", [q], [inertia])
+        self.statics, self.damping, self.inertia = (partial(_at, f, p) for f in found)
 
     def held(self, joints: np.ndarray, near: np.ndarray | None = None) -> AtRest:
         """The rest with the joints where they are said to be."""
@@ -77,6 +74,25 @@ class Still:
         M, _, K = self.matrices(q)
         K[range(self.joints), range(self.joints)] += kp
         return linalg.block_diag((K + K.T) / 2, (M + M.T) / 2)
+
+
+def _forces_at_rest(model: RobotModel) -> tuple[ca.Function, ...]:
+    """Functions of coordinates and parameters: forces at rest with their slopes, damping, inertia."""
+    whole, n = model.casadi()["inverse_dynamics"], model.nq
+    q, v, a = (ca.SX.sym(name, n) for name in "qva")
+    p = ca.SX.sym("p", len(model.parameter_values))
+    force = whole(q, v, a, ca.DM.zeros(6, model.n_links), p)
+    rest = lambda x: ca.substitute(x, ca.vertcat(v, a), ca.DM.zeros(2 * n))  # noqa: E731
+    still, damping, inertia = rest(force), rest(ca.jacobian(force, v)), rest(ca.jacobian(force, a))
+    return (
+        ca.Function("statics", [q, p], [still, ca.jacobian(still, q)]),
+        ca.Function("damping", [q, p], [damping]),
+        ca.Function("inertia", [q, p], [inertia]),
+    )
+
+
+def _at(function: ca.Function, p: np.ndarray, q: np.ndarray) -> Any:
+    return function(q, p)
 
 
 @dataclass(frozen=True)

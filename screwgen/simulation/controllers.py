@@ -1,8 +1,7 @@
-"""Controllers: functions `(t, q, v) -> tau`, and the files that describe them."""
+"""Controllers: functions `(t, q, v) -> tau`."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
@@ -14,12 +13,9 @@ from ..algorithms.travels import DEAD, efforts, travels
 from ..arguments import Numbers, parameters_keyword
 from ..errors import SingularError, UsageError
 from ..robot_model import RobotModel
-from ..spec.load import one_line, parse
-from ..spec.messages import unknown
 from ..spec.ranges import within
-from ..spec.values import array, refuse, shown
 from .mobility import closing, stated_joints
-from .state import read_text, refusals, sized
+from .state import refusals, sized
 
 if TYPE_CHECKING:
     from ..topology.chain import Chain
@@ -32,8 +28,7 @@ UNITS = {
     "q_des": "rad (slides: m)",
     "tau_max": "N·m (slides: N)",
 }
-REQUIRED = ("kp", "kd", "q_des")
-KEYS = (*UNITS, "duration", "waypoints", "gravity")
+SUMMED = {"ki": "N·m/(rad·s) (slides: N/(m·s))"}
 
 
 class Holding:
@@ -134,7 +129,7 @@ class PD:
             for name in (*UNITS, "q_start"):
                 value = getattr(self, name)
                 if value is not None:
-                    object.__setattr__(self, name, _angles(name, value, np.size(self.q_des), (name,)))
+                    object.__setattr__(self, name, joint_numbers(name, value, np.size(self.q_des), (name,)))
             if self.duration is not None:
                 object.__setattr__(self, "duration", within("duration")(self.duration, at=("duration",)))
         if self.waypoints and (self.duration, self.q_des) != self.waypoints[-1]:
@@ -215,18 +210,21 @@ class PD:
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The torques, N·m, of slides forces, N, where they act."""
-        (q_ref, v_ref), most = self.reference(t), self.bounds
+        tau, most = self.unlimited(t, q, v), self.bounds
+        if most is not None:
+            tau[: len(most)] = np.clip(tau[: len(most)], -most, most)
+        return tau
+
+    def unlimited(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """The torques that the law would give if drives had no limits."""
+        q_ref, v_ref = self.reference(t)
         there = self.measured(q, self.ahead) + self._stretched(q, q)
         rate = self.measured(v) + self._stretched(q, v)
         tau = (np.array(self.kp) * (q_ref - there) + np.array(self.kd) * (v_ref - rate)) / self.own_ratios
         if self.efforts is not None:
             tau = self.efforts(tau, there)
         tau = np.append(tau, np.zeros(self.idle))
-        if self.gravity is not None:
-            tau = tau + self.gravity(there)
-        if most is not None:
-            tau[: len(most)] = np.clip(tau[: len(most)], -most, most)
-        return tau
+        return tau if self.gravity is None else tau + self.gravity(there)
 
 
 def _ahead(chain: Chain, p: Numbers, q: np.ndarray, x: np.ndarray) -> np.ndarray:
@@ -242,62 +240,7 @@ def _efforts(chain: Chain, p: Numbers, torques: np.ndarray, q: np.ndarray) -> np
     return efforts(chain, torques, q, p)
 
 
-def read_pd(path: str | os.PathLike[str], model: RobotModel) -> PD:
-    """The law in the TOML file at `path`: `kp`, `kd`, `q_des`, one number per joint coordinate.
-
-    `duration` (s) and `tau_max` are optional. In place of `q_des` and `duration`: `waypoints`, an array of
-    `{ t = …, q = […] }` with ascending times. `gravity = true` adds the torques that hold the arm at the measured joint
-    angles. Raises UsageError, `<file>: <key>: <fault>; <what is allowed>`.
-    """
-    model.chain.refuse_quaternion_joints("PD law from a file", "give a function of t, q and v in Python")
-    file = one_line(os.fsdecode(path))
-    data = parse(read_text(path, "a TOML file"), file, UsageError, "a gains file has no such depth")
-    with refusals(file):
-        for key in data:
-            if key not in KEYS:
-                raise refuse(unknown(key, KEYS), (key,))
-        given = _goal(data, model.n_joints)
-        for key in REQUIRED:
-            if key not in given:
-                raise refuse(f"is missing; state {model.n_joints} numbers, one per joint, {UNITS[key]}", (key,))
-        values = {key: given[key] for key in UNITS if key in given}
-        law: dict[str, Any] = {key: _angles(key, value, model.n_joints, (key,)) for key, value in values.items()}
-        law |= {"waypoints": given.get("waypoints", ()), "gravity": _gravity(given, model)}
-        return PD(
-            **law,
-            duration=within("duration")(given["duration"], at=("duration",)) if "duration" in given else None,
-        )
-
-
-def _gravity(given: dict[str, Any], model: RobotModel) -> Holding | None:
-    wanted = given.get("gravity", False)
-    if not isinstance(wanted, bool):
-        raise refuse(f"is {shown(wanted)}; it must be true or false", ("gravity",))
-    return Holding(model) if wanted else None
-
-
-def _goal(data: dict[str, Any], n: int) -> dict[str, Any]:
-    """What the file states, with the last of its way points as the goal."""
-    if "waypoints" not in data:
-        return data
-    for key in ("q_des", "duration"):
-        if key in data:
-            raise refuse("is given beside waypoints, the last of which says it; leave one of them out", (key,))
-    points: list[tuple[float, tuple[float, ...]]] = []
-    for i, point in enumerate(array(data["waypoints"], "an array of tables { t = …, q = […] }", at=("waypoints",))):
-        at = ("waypoints", i)
-        if not (isinstance(point, dict) and set(point) == {"t", "q"}):
-            raise refuse(f"is {shown(point)}; it must be a table of t and q, as {{ t = 0.5, q = […] }}", at)
-        t, q = within("duration")(point["t"], at=(*at, "t")), _angles("q_des", point["q"], n, (*at, "q"))
-        if points and t <= points[-1][0]:
-            raise refuse(f"is {t}; it must be later than the one before it, {points[-1][0]} s", (*at, "t"))
-        points.append((t, q))
-    if not points:
-        raise refuse("is empty; state at least one { t = …, q = […] }", ("waypoints",))
-    return data | {"waypoints": tuple(points), "duration": points[-1][0], "q_des": points[-1][1]}
-
-
-def _angles(key: str, value: Any, n: int, at: tuple) -> tuple[float, ...]:
+def joint_numbers(key: str, value: Any, n: int, at: tuple) -> tuple[float, ...]:
     """One number for each joint, of the unit and the range of a key."""
     check = within("q" if key.startswith("q_") else key)
-    return tuple(sized(value, at, n, f"numbers, one per joint, {UNITS.get(key, UNITS['q_des'])}", check))
+    return tuple(sized(value, at, n, f"numbers, one per joint, {(UNITS | SUMMED).get(key, UNITS['q_des'])}", check))

@@ -13,7 +13,8 @@ import numpy as np
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.load import one_line
-from .controllers import PD, read_pd
+from .controller_files import read_pd
+from .controllers import PD
 from .feedforward import Feedforward
 from .inputs import started
 

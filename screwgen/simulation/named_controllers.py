@@ -8,7 +8,8 @@ from typing import Any
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.load import one_line
-from .controllers import Controller, read_pd
+from .controller_files import read_pd
+from .controllers import Controller
 from .input_table import read_inputs
 
 
@@ -24,10 +25,17 @@ def _read_fed(path: Any, model: RobotModel) -> Controller:
     return read_fed(path, model)
 
 
+def _read_lqg(path: Any, model: RobotModel) -> Controller:
+    from .lqg_law import read_lqg_law
+
+    return read_lqg_law(path, model)
+
+
 CONTROLLERS: dict[str, Callable[[Any, RobotModel], Controller]] = {
     "pd": read_pd,
     "plan": _read_played,
     "feedforward": _read_fed,
+    "lqg": _read_lqg,
     "csv": read_inputs,
 }
 

@@ -107,6 +107,7 @@ RANGES = {
     "w_ext": Range(number, 0.0, 1e15, "N·m or N"),
     "kp": Range(non_negative, 0.0, 1e15, "N·m/rad or N/m"),
     "kd": Range(non_negative, 0.0, 1e15, "N·m·s/rad or N·s/m"),
+    "ki": Range(non_negative, 0.0, 1e15, "N·m/(rad·s) or N/(m·s)"),
     "tau_max": Range(positive, 1e-12, 1e15, "N·m or N"),
     "duration": Range(positive, 1e-9, 1e9, "s"),
 }

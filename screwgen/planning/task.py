@@ -33,13 +33,19 @@ class JointLaw:
 
 
 @dataclass(frozen=True)
-class JointLimits:
-    """Bounds of the joints (n_joints,) each, infinite where there is none."""
+class MotionLimits:
+    """Bounds of a motion, infinite where there is none; of the joints (n_joints,) each."""
 
     lower: np.ndarray
     upper: np.ndarray
     rates: np.ndarray
     efforts: np.ndarray
+    effort_rates: np.ndarray
+    """N·m/s, of slides N/s: how fast torques of drives may change."""
+    strains: np.ndarray
+    """(n_strains,): of the centrelines, in the order of `model.strain_names`, of either sign."""
+    wrenches: np.ndarray
+    """(6 n_links,): of the joint wrenches, in the order of `model.wrench_names`, of either sign."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +57,7 @@ class Task:
     time: float
     intervals: int
     law: JointLaw
-    limits: JointLimits
+    limits: MotionLimits
     force_scale: float = 1.0
     """What torques are measured in, N·m."""
     weight: float = WEIGHT

@@ -48,18 +48,29 @@ def _factors(value: Any, i: int) -> dict[str, float]:
     return {name: number(x, at=(i, name)) for name, x in value.items()}
 
 
+def _named(value: Any) -> dict[str, float]:
+    if not isinstance(value, dict):
+        raise refuse(f'is {shown(value)}; it must be a table of names and numbers, as {{ "*.base_strain.*" = 0.02 }}')
+    return {name: positive(x, at=(name,)) for name, x in value.items()}
+
+
 Joints = Annotated[tuple[float, ...], PlainValidator(_numbers)]
 Efforts = Annotated[tuple[float, ...], PlainValidator(_efforts)]
 Sizes = Annotated[tuple[float, ...], PlainValidator(_positives)]
 
+Named = Annotated[dict[str, float], PlainValidator(_named)]
+
 
 class PlanLimits(Part):
-    """Limits of the joints beside those of the robot file."""
+    """Limits of a motion beside those of the robot file."""
 
     lower: Joints | None = Field(None, description="least joint coordinates, rad, of slides m")
     upper: Joints | None = Field(None, description="largest joint coordinates")
     rates: Sizes | None = Field(None, description="largest joint rates, rad/s or m/s, of either sign")
     efforts: Efforts | None = Field(None, description="largest efforts of drives, N·m or N; 0 where there is no drive")
+    effort_rates: Sizes | None = Field(None, description="largest rates of efforts, N·m/s or N/s")
+    strains: Named | None = Field(None, description="largest strains by names or patterns, 1/m, rad/m, stretch 1")
+    wrenches: Named | None = Field(None, description="largest joint wrenches by names or patterns, N·m, N")
 
 
 class PlanFile(Part):

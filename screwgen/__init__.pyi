@@ -21,6 +21,7 @@ from .planning.plan import MotionPlan as MotionPlan
 from .planning.plan_files import read_plan as read_plan
 from .planning.shapers import Shaper as Shaper
 from .planning.shapers import shaper as shaper
+from .planning.tip_goals import inverse_kinematics as inverse_kinematics
 from .simulation.arrival import Arrival as Arrival
 from .simulation.arrival import play as play
 from .simulation.control_loop import ControlLoopWarning as ControlLoopWarning

@@ -73,6 +73,7 @@ def plan(
     """Plan a motion of the joints from rest to rest that leaves nothing vibrating, with its torques."""
     from ..model import derive
     from ..planning.make import plan as made
+    from ..planning.tip_goals import inverse_kinematics
     from ..progress import bar
     from ..simulation.controllers import read_pd
     from ..spec.plan import read_task
@@ -82,12 +83,13 @@ def plan(
     check_destination(output, target)
     model = derive(load_robot(robot, quiet))
     asked, law = read_task(task)
-    ways: dict[str, Any] = {"intervals": asked.intervals, "models": asked.models}
+    ways: dict[str, Any] = {"intervals": asked.intervals, "models": asked.models, "through": asked.through}
     ways["limits"] = {key: x for key, x in asked.limits.model_dump().items() if x is not None}
     ways["gains"] = None if law is None else read_pd(law, model)
+    goal = asked.goal or inverse_kinematics(model, asked.goal_tip or (), asked.start)
     with destination(output, target, step) as write, stoppable():
         with bar("planning", 80, quiet) as progress:
-            found = made(model, asked.start, asked.goal, asked.time, **ways, progress=progress)
+            found = made(model, asked.start, goal, asked.time, **ways, progress=progress)
         files = write(found)
     figures = f"{found.time:.4g} s, {found.said['iterations']} iterations, torques up to {found.effort.max():.4g}"
     say("\n".join([*files, figures]), quiet)

@@ -15,6 +15,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from .hermite import hermite
 from .members import PlannedModel
 from .task import Task
 
@@ -109,6 +110,8 @@ def transcribed(
         _motion(made, task, member, guess, i) for i, (member, guess) in enumerate(zip(members, guesses, strict=True))
     ]
     first = motions[0].joints(m)
+    for point in task.through:
+        made.zero(_passed(first, point.share, task.time) - ca.DM(point.joints))
     for i, (member, motion) in enumerate(zip(members, motions, strict=True)):
         own, applied = motion.joints(m), everywhere
         if i:
@@ -126,6 +129,15 @@ def transcribed(
     parts = [x for motion in motions for x in (motion.q, motion.v, motion.a)]
     unpack = ca.Function("unpack", [ca.vertcat(*made.unknowns)], _sorted(made, parts, torques))
     return Transcription(made, motions, torques, unpack)
+
+
+def _passed(motion: Trajectory, share: float, time: float) -> Vector:
+    """Coordinates at a share of the time, on the polynomials of order 5 that a plan has between its points."""
+    stretches = motion.q.shape[1] - 1
+    k = min(int(share * stretches), stretches - 1)
+    h, s = time / stretches, share * stretches - k
+    (q0, q1), (v0, v1), (a0, a1) = ((x[:, k], x[:, k + 1]) for x in (motion.q, motion.v, motion.a))
+    return hermite(q0, q1, h * v0, h * v1, h * h * a0, h * h * a1, s)
 
 
 def _bounded_loads(made: Programme, task: Task, member: PlannedModel, motion: Trajectory) -> None:

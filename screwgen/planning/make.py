@@ -20,6 +20,7 @@ from .refusals import check_ends, no_plan, refuse_robot
 from .shortest import shortest
 from .solve import Found, Progress, solve
 from .task import JointLaw, Task
+from .waypoints import waypoints
 
 
 def plan(
@@ -29,6 +30,7 @@ def plan(
     time: float | str,
     *,
     gains: Any = None,
+    through: Sequence[Mapping[str, Any]] = (),
     models: Sequence[Mapping[str, float]] = (),
     limits: Mapping[str, Any] | None = None,
     intervals: int = INTERVALS,
@@ -40,6 +42,8 @@ def plan(
     `start`, `goal` (n_joints,), rad, of slides m; `time`, s, or "shortest", which is fragile: nothing is left for what
     the model does not know. Of all such motions it is the one with the least integral of squared rates of torques.
 
+    `through`: joint coordinates between start and goal, `{"q": (n_joints,), "t": s}`. Without `t` they are passed when
+    the share of the time is that of the way.
     `gains`: a law with `kp`, `kd` and perhaps `tau_max`, such as a :class:`PD`, under which the plan is to be played.
     `models`: factors of parameters of further models, by names or patterns as `{"*.bodies[0].mass": 1.3}`; with them
     the same references and torques bring all models to rest, each under the law of the joints, and at its own sag.
@@ -55,14 +59,9 @@ def plan(
     bounds, law = motion_limits(model, limits or {}, gains), _law(gains, m, bool(models))
     intervals = whole(intervals, "intervals", LEAST, LARGEST)
     fixed = time != SHORTEST
-    task = Task(
-        array(start, "start:", (m,)),
-        array(goal, "goal:", (m,)),
-        seconds(time, "the time") if fixed else 1.0,
-        intervals,
-        law,
-        bounds,
-    )
+    ends = array(start, "start:", (m,)), array(goal, "goal:", (m,))
+    duration = seconds(time, "the time") if fixed else 1.0
+    task = Task(*ends, duration, intervals, law, bounds, waypoints(through, *ends, time))
     values = model.chain.parameters.vector(parameters)
     own, others = Still(model, values), [Still(model, scaled(model, values, factors)) for factors in models]
     first = check_ends(task, model, own, fixed)

@@ -49,7 +49,8 @@ def refuse_robot(model: RobotModel, what: str = "plan", instead: str = "give ref
 def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> AtRest:
     """The rest at the start; refuses ends beyond limits of joints, efforts that do not hold there, a way too far."""
     limits, names = task.limits, model.q_names
-    for end, joints in (("start", task.start), ("goal", task.goal)):
+    through = ((f"through[{i}]", x.joints) for i, x in enumerate(task.through))
+    for end, joints in (("start", task.start), *through, ("goal", task.goal)):
         for j, (x, low, high) in enumerate(zip(joints, limits.lower, limits.upper, strict=True)):
             if not low - ROUNDING <= x <= high + ROUNDING:
                 raise UsageError(f"{end}: {names[j]} is {x:g}; its limits are {low:g} and {high:g}")
@@ -66,7 +67,7 @@ def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> AtRest
             if (over := np.flatnonzero(sizes > most * (1.0 + ROUNDING))).size:
                 j = int(over[0])
                 raise UsageError(f"{end}: at rest {every[j]} is {sizes[j]:.4g}; its limit is {most[j]:.4g}")
-    way, rates = np.abs(task.goal - task.start), limits.rates
+    way, rates = np.abs(task.way), limits.rates
     if fixed and (fast := np.flatnonzero(way > rates * task.time)).size:
         j = int(fast[0])
         said = f"{names[j]} goes {way[j]:.4g} in {task.time:g} s, with a rate of {rates[j]:g} at most"

@@ -17,7 +17,7 @@ from screwgen.planning.members import Still
 
 LIMITS = {"efforts": ("efforts",), "rates": ("rates",), "joint ranges": ("lower", "upper")}
 """By what a refusal calls them."""
-STEP = 5e-4
+STEP = 2.5e-4
 FINE = 120
 """Intervals that reach faster modes: torques of few ones shake these, and the law needs more than is left for it."""
 
@@ -191,7 +191,7 @@ def named(said: str) -> tuple[str, ...]:
 
 def faults(asked: Asked, plan: screwgen.MotionPlan) -> tuple[str, str]:
     """What a plan does that was not asked for, played on its own model; and its figures."""
-    arrived = screwgen.play(robots()[asked.robot].model, plan, step=STEP, integrator="rk4")
+    arrived = screwgen.play(robots()[asked.robot].model, plan, step=STEP)
     tip = arrived.run.tip_position
     share = arrived.residual / float(np.linalg.norm(np.ptp(tip, axis=0)))
     fine = plan.reference(np.linspace(0.0, plan.time, 2000))

@@ -15,12 +15,17 @@ if TYPE_CHECKING:
 RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")]
 C = "c"
 """The target of a plan beside files."""
+FORMATS = (".npz", ".csv")
+"""Of files of plans."""
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")]
 
 
 def register(app: typer.Typer, epilog: str) -> None:
     """Add the commands to the command line."""
     app.command("gains", short_help="Find gains of the joints.", epilog=epilog)(gains)
+    from .shaping import shape
+
+    app.command("shape", short_help="Find a shaper for references.", epilog=epilog)(shape)
     app.command("plan", short_help="Plan a motion that ends at rest.", epilog=epilog)(plan)
 
 
@@ -95,19 +100,20 @@ def plan(
     say("\n".join([*files, figures]), quiet)
 
 
-def check_destination(output: str, target: str | None) -> None:
-    """Refuse, before any work is done, a file or a folder that a plan cannot be written to."""
+def check_destination(
+    output: str, target: str | None, formats: tuple[str, ...] = FORMATS, what: str = "a plan"
+) -> None:
+    """Refuse, before any work is done, a file or a folder that a plan, or what it is, cannot be written to."""
     from ..errors import UsageError
     from ..folder import check_folder
-    from ..planning.plan_files import FORMATS
     from ..simulation.runs import check_output, suffix
     from ..spec.load import one_line
 
     if target is None:
-        check_output(output, FORMATS)
+        check_output(output, formats)
     elif target != C:
-        raise UsageError(f"--target: there is no '{one_line(target)}'; a plan is written as {C}, or without --target")
-    elif not output or suffix(output) in FORMATS:
+        raise UsageError(f"--target: there is no '{one_line(target)}'; {what} is written as {C}, or without --target")
+    elif not output or suffix(output) in formats:
         raise UsageError(f"{one_line(output) or 'the output'}: is no name of a folder, which --target {C} writes")
     else:
         check_folder(Path(output))

@@ -33,7 +33,8 @@ def simulate(
         typer.Option(
             metavar="KIND:FILE",
             help="pd:gains.toml: kp, kd, q_des or waypoints, duration, tau_max, gravity. "
-            "plan:plan.npz. csv:inputs.csv: t, torques and tensions by name, over time. Without: the state's tau.",
+            "plan:plan.npz. shaper:shaper.toml. "
+            "csv:inputs.csv: t, torques and tensions by name, over time. Without: the state's tau.",
         ),
     ] = None,
     motion: Annotated[

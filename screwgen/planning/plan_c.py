@@ -37,18 +37,18 @@ def plan_files(plan: MotionPlan) -> dict[str, str]:
         "stretches": len(path),
         "time": repr(plan.time),
         "stretch": repr(plan.time / len(path)),
-        "path": _numbers(path),
-        "torques": _numbers(plan.tau),
-        "kp": _numbers(plan.kp),
-        "kd": _numbers(plan.kd),
+        "path": numbers(path),
+        "torques": numbers(plan.tau),
+        "kp": numbers(plan.kp),
+        "kd": numbers(plan.kd),
     }
     return {f"{plan.robot}_{file}": rendered(file, **values) for file in FILES}
 
 
-def _numbers(values: np.ndarray) -> Any:
+def numbers(values: np.ndarray) -> Any:
     """Nested lists of literals, in the precision that the source is compiled in."""
     if values.ndim:
-        return [_numbers(x) for x in values]
+        return [numbers(x) for x in values]
     number = float(values)
     return literal(number if abs(number) >= LEAST else 0.0)
 

@@ -18,9 +18,16 @@ def _read_played(path: Any, model: RobotModel) -> Controller:
     return read_played(path, model)
 
 
+def _read_shaped(path: Any, model: RobotModel) -> Controller:
+    from .shaped import read_shaped
+
+    return read_shaped(path, model)
+
+
 CONTROLLERS: dict[str, Callable[[Any, RobotModel], Controller]] = {
     "pd": read_pd,
     "plan": _read_played,
+    "shaper": _read_shaped,
     "csv": read_inputs,
 }
 

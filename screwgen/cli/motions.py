@@ -23,9 +23,6 @@ Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no s
 def register(app: typer.Typer, epilog: str) -> None:
     """Add the commands to the command line."""
     app.command("gains", short_help="Find gains of the joints.", epilog=epilog)(gains)
-    from .shaping import shape
-
-    app.command("shape", short_help="Find a shaper for references.", epilog=epilog)(shape)
     app.command("plan", short_help="Plan a motion that ends at rest.", epilog=epilog)(plan)
 
 

@@ -12,6 +12,11 @@ import typer
 from .motions import Quiet, RobotFile, check_destination
 
 
+def register(app: typer.Typer, epilog: str) -> None:
+    """Add the command to the command line."""
+    app.command("shape", short_help="Find a shaper for references.", epilog=epilog)(shape)
+
+
 def shape(
     context: typer.Context,
     robot: RobotFile,

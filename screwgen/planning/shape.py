@@ -15,7 +15,7 @@ from .members import Still
 from .refusals import refuse_robot
 from .scheduled_shaper import FittedMode, ScheduledShaper
 from .shapers import KINDS
-from .vibrations import Loop, Vibrations, followed, poles, slowest, vibrations
+from .vibrations import LoopGains, Vibrations, followed, poles, slowest, vibrations
 
 DEGREE, MOST_MODES, MOST_TERMS = 4, 3, 500
 CHECKED = 50
@@ -86,7 +86,7 @@ class Arm:
     """What vibrates of a robot over postures and payloads; each motion is followed from the middle of the range."""
 
     def __init__(
-        self, model: RobotModel, p: np.ndarray, loop: Loop, low: np.ndarray, high: np.ndarray, load: Payload | None
+        self, model: RobotModel, p: np.ndarray, loop: LoopGains, low: np.ndarray, high: np.ndarray, load: Payload | None
     ):
         self.model, self.p, self.loop, self.load = model, p, loop, load
         self.low, self.high = low, high
@@ -170,14 +170,14 @@ def _judged(made: ScheduledShaper, arm: Arm, box: np.ndarray) -> ScheduledShaper
     return replace(made, residual=max(left), table=np.column_stack([places, left]))
 
 
-def _loop(gains: Any, free: Numbers, m: int) -> Loop:
+def _loop(gains: Any, free: Numbers, m: int) -> LoopGains:
     """Gains, or joints locked but those that are free."""
     if gains is not None:
-        return Loop(*(array(getattr(gains, name), f"gains: {name}:", (m,)) for name in ("kp", "kd")))
+        return LoopGains(*(array(getattr(gains, name), f"gains: {name}:", (m,)) for name in ("kp", "kd")))
     kp = np.full(m, np.inf)
     for j in np.atleast_1d(np.asarray(free, int)) if np.size(free) else ():
         kp[whole(int(j), "free", 0, m - 1)] = 0.0
-    return Loop(kp, np.zeros(m))
+    return LoopGains(kp, np.zeros(m))
 
 
 def _payload(model: RobotModel, given: tuple[str, float, float]) -> Payload:

@@ -26,7 +26,7 @@ class Vibrations(NamedTuple):
     damping: np.ndarray
 
 
-class Loop(NamedTuple):
+class LoopGains(NamedTuple):
     """The gains of the joints (n_joints,); those with an infinite `kp` are locked."""
 
     kp: np.ndarray
@@ -37,7 +37,7 @@ class Loop(NamedTuple):
         return np.isinf(self.kp)
 
 
-def poles(still: Still, joints: np.ndarray, loop: Loop) -> np.ndarray:
+def poles(still: Still, joints: np.ndarray, loop: LoopGains) -> np.ndarray:
     """Rates of growth and angular frequencies, 1/s, of what swings about the rest with the joints at `joints`."""
     m, q = still.joints, still.held(joints).q
     M, D, K = still.matrices(q)

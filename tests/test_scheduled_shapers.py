@@ -145,7 +145,6 @@ def test_a_load_on_a_rope_sways_as_little_as_under_the_published_shaper(lengths,
     for control in (law, *(Shaped.of(law, shaper) for shaper in (made, Published, MeanLength))):
         run = screwgen.simulate(model, time + 6.0, 2e-3, [0.0, 0.0, begin], controller=control)
         sway.append(np.abs(run.q[run.t > time + 2.0, 1]).max())
-    print(lengths, sway)
     assert sway[1] < left * sway[0] and sway[1] == pytest.approx(sway[2], abs=2e-3 * sway[0])
     assert sway[3] > fixed * sway[1]
 
@@ -233,7 +232,6 @@ def test_a_command_writes_a_shaper_that_a_run_plays(tmp_path, capsys):
         assert main(words) == 0
         with np.load(run) as arrays:
             swing.append(np.ptp(arrays["tip_position"][arrays["t"] > 1.6], axis=0).max())
-    print(swing)
     assert swing[1] < 0.3 * swing[0]
     assert main(["shape", robot, "-o", str(tmp_path / "c"), "--from=-1", "--to", "1", "--target", "c", "--quiet"]) == 0
     assert (tmp_path / "c" / "arm_shaper.c").exists()

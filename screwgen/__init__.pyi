@@ -24,8 +24,12 @@ from .planning.lqg_make import lqg as lqg
 from .planning.make import plan as plan
 from .planning.plan import MotionPlan as MotionPlan
 from .planning.plan_files import read_plan as read_plan
+from .planning.scheduled_shaper import ScheduledShaper as ScheduledShaper
+from .planning.shape import shape as shape
+from .planning.shaper_files import read_shaper as read_shaper
 from .planning.shapers import Shaper as Shaper
 from .planning.shapers import shaper as shaper
+from .planning.tip_goals import inverse_kinematics as inverse_kinematics
 from .planning.track import track as track
 from .simulation.arrival import Arrival as Arrival
 from .simulation.arrival import play as play

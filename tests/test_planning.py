@@ -12,8 +12,8 @@ ROTOR, LOAD, EI, LENGTH = 0.4, 1.0, 40.0, 1.0
 LAW = screwgen.PD((60.0,), (12.0,), (0.0,))
 
 
-def one_mode(**joint):
-    """A light rod in a plane without gravity that carries a load: a rotor, a spring and a mass."""
+def one_mode(gravity=False, **joint):
+    """A light rod in a plane that carries a load: a rotor, a spring and a mass."""
     rod = link(
         "rod",
         axes=["z"],
@@ -23,7 +23,7 @@ def one_mode(**joint):
         bodies=[{"at": "tip", "mass": LOAD}],
         joint={"armature": [ROTOR], **joint},
     )
-    return model_of({**arm(rod), "gravity": [0.0, 0.0, 0.0]})
+    return model_of({**arm(rod), "gravity": [0.0, -9.81 if gravity else 0.0, 0.0]})
 
 
 def bang_bang(way, effort, inertia, frequency):
@@ -218,3 +218,53 @@ def test_a_plan_of_ella_leaves_an_exact_arm_at_rest():
     assert screwgen.play(plant, nominal).residual <= 2e-4
     robust = screwgen.plan(design, [0.0] * 3, goal, 1.2, gains=law, models=payloads)
     assert max(screwgen.play(plant, robust, parameters=p).residual for p in ({}, *off)) <= 3e-3
+
+
+LOADS = {
+    "strains": lambda model, plan, r: max(float(np.abs(model.numpy().strain(q)).max()) for q in r.q),
+    "wrenches": lambda model, plan, r: float(np.abs(r.wrench[:, 0, 2]).max()),
+    "effort_rates": lambda model, plan, r: float(np.abs(np.diff(plan.sampled(1e-3).tau[:-1, 0])).max() / 1e-3),
+}
+
+
+@pytest.mark.parametrize("name", LOADS)
+def test_loads_keep_their_limits(name):
+    """In a run of the plan: four fifths of what they are without; less than the motion takes is refused."""
+    model, reached = one_mode(), []
+    limit = {
+        "strains": lambda x: {"rod.base_strain.*": x},
+        "wrenches": lambda x: {"rod.tau_z": x},
+        "effort_rates": lambda x: [x],
+    }[name]
+    for share in (None, 0.8):
+        given = {} if share is None else {name: limit(share * reached[0])}
+        plan = screwgen.plan(model, [0.0], [1.0], 0.9, gains=LAW, limits=given, intervals=40)
+        reached.append(LOADS[name](model, plan, screwgen.play(model, plan, step=5e-4).run))
+    assert 0.75 * reached[0] < reached[1] < 0.805 * reached[0]
+    words = {"strains": "strains", "wrenches": "joint wrenches", "effort_rates": "rates of efforts"}[name]
+    with pytest.raises(UsageError, match=f"the limits of {words} forbid it; without limits rod"):
+        screwgen.plan(model, [0.0], [1.0], 0.9, intervals=12, limits={name: limit(0.3 * reached[0])})
+
+
+@pytest.mark.parametrize(
+    ("said", "limits"),
+    [
+        (
+            r"limits: strains: there is no 'rod\.twist'; choose of rod\.base_strain\.bending_y",
+            {"strains": {"rod.twist": 1.0}},
+        ),
+        (r"limits: wrenches: rod\.F_x: must be > 0", {"wrenches": {"rod.F_x": 0.0}}),
+        (r"limits: wrenches: must be a table", {"wrenches": [1.0]}),
+        (r"limits: effort_rates: must be positive", {"effort_rates": [0.0]}),
+    ],
+)
+def test_limits_of_loads_that_are_none_are_one_line(said, limits):
+    with pytest.raises(UsageError, match=said):
+        screwgen.plan(one_mode(), [0.0], [1.0], 0.9, limits=limits)
+
+
+def test_a_rest_that_bends_too_far_is_refused():
+    """The mode has one curvature: half of that which a load of 9.81 N has at the base of a cantilever."""
+    said = r"start: at rest rod\.base_strain\.bending_y is 0\.1226; its limit is 0\.1"
+    with pytest.raises(UsageError, match=said):
+        screwgen.plan(one_mode(gravity=True), [0.0], [1.0], 0.9, limits={"strains": {"*": 0.1}})

@@ -17,7 +17,7 @@ from typer.core import TyperGroup
 
 from ..errors import ScrewgenError, UsageError
 from ..plugins import declared, plugins
-from . import exchange, gaining, identifying, motions, running
+from . import exchange, gaining, identifying, motions, running, shaping
 from .process import guarded, prepare
 from .viewing import ViewFile, view
 
@@ -275,7 +275,7 @@ def latex(
     run_latex(robot, output, scalar, about, documentclass, fragment, notation, at, whole, quiet=quiet or context.obj)
 
 
-for group in (exchange, identifying, gaining, motions):
+for group in (exchange, identifying, gaining, motions, shaping):
     group.register(app, EPILOG)
 
 

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")]
 C = "c"
 """The target of a plan beside files."""
+FORMATS = (".npz", ".csv")
+"""Of files of plans."""
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")]
 
 
@@ -37,6 +39,7 @@ def plan(
     """Plan a motion of the joints from rest to rest that leaves nothing vibrating, with its torques."""
     from ..model import derive
     from ..planning.make import plan as made
+    from ..planning.tip_goals import inverse_kinematics
     from ..progress import bar
     from ..simulation.controller_files import read_pd
     from ..spec.plan import read_task
@@ -46,30 +49,32 @@ def plan(
     check_destination(output, target)
     model = derive(load_robot(robot, quiet))
     asked, law = read_task(task)
-    ways: dict[str, Any] = {"intervals": asked.intervals, "models": asked.models}
+    ways: dict[str, Any] = {"intervals": asked.intervals, "models": asked.models, "through": asked.through}
     ways["limits"] = {key: x for key, x in asked.limits.model_dump().items() if x is not None}
     ways["gains"] = None if law is None else read_pd(law, model)
+    goal = asked.goal or inverse_kinematics(model, asked.goal_tip or (), asked.start)
     with destination(output, target, step) as write, stoppable():
         with bar("planning", 80, quiet) as progress:
-            found = made(model, asked.start, asked.goal, asked.time, **ways, progress=progress)
+            found = made(model, asked.start, goal, asked.time, **ways, progress=progress)
         files = write(found)
     figures = f"{found.time:.4g} s, {found.said['iterations']} iterations, torques up to {found.effort.max():.4g}"
     say("\n".join([*files, figures]), quiet)
 
 
-def check_destination(output: str, target: str | None) -> None:
-    """Refuse, before any work is done, a file or a folder that a plan cannot be written to."""
+def check_destination(
+    output: str, target: str | None, formats: tuple[str, ...] = FORMATS, what: str = "a plan"
+) -> None:
+    """Refuse, before any work is done, a file or a folder that a plan, or what it is, cannot be written to."""
     from ..errors import UsageError
     from ..folder import check_folder
-    from ..planning.plan_files import FORMATS
     from ..simulation.runs import check_output, suffix
     from ..spec.load import one_line
 
     if target is None:
-        check_output(output, FORMATS)
+        check_output(output, formats)
     elif target != C:
-        raise UsageError(f"--target: there is no '{one_line(target)}'; a plan is written as {C}, or without --target")
-    elif not output or suffix(output) in FORMATS:
+        raise UsageError(f"--target: there is no '{one_line(target)}'; {what} is written as {C}, or without --target")
+    elif not output or suffix(output) in formats:
         raise UsageError(f"{one_line(output) or 'the output'}: is no name of a folder, which --target {C} writes")
     else:
         check_folder(Path(output))

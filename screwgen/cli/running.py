@@ -33,7 +33,7 @@ def simulate(
         typer.Option(
             metavar="KIND:FILE",
             help="pd:gains.toml: kp, kd, q_des or waypoints, duration, tau_max, gravity. "
-            "lqg:law.npz. plan:plan.npz. feedforward:gains.toml: with the efforts of its path. "
+            "lqg:law.npz. plan:plan.npz. feedforward:gains.toml: with the efforts of its path. shaper:shaper.toml. "
             "csv:inputs.csv: t, torques and tensions by name, over time. Without: the state's tau.",
         ),
     ] = None,

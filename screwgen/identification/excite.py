@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,9 +12,10 @@ import numpy as np
 from ..arguments import Numbers, array, seconds, whole
 from ..errors import UsageError
 from ..planning.joint_gains import gains as found_gains
-from ..planning.make import joint_limits
+from ..planning.limits import motion_limits
 from ..planning.plan import MotionPlan
 from ..planning.refusals import refuse_robot
+from ..planning.task import MotionLimits
 from ..robot_model import RobotModel
 from ..simulation.measured import strain as strains
 from ..simulation.played import Played
@@ -24,7 +26,7 @@ from ..spec.excitation import STEP, TIME
 from .beside import how_of, windows_of_log
 from .evolution import minimised
 from .excitation import Excitation
-from .excited_motions import MotionLimits, MotionMaker, Motions
+from .excited_motions import MotionMaker, Motions, broken_limit
 from .fourier import FourierSeries
 from .information import NOISE, Bench, log_of_motion
 from .logs import Log
@@ -48,7 +50,7 @@ def excite(
     *,
     free: str | Sequence[str],
     sensors: str | os.PathLike[str] | Columns | None = None,
-    limits: Mapping[str, Numbers] | None = None,
+    limits: Mapping[str, Any] | None = None,
     strain: float = np.inf,
     gains: Any = None,
     time: float = TIME,
@@ -65,9 +67,10 @@ def excite(
     `free`, `sensors`, `window` as of :func:`screwgen.identify`; without `sensors` the joints are measured and the
     inputs known, and a sensor without `noise` has a hundredth of how much it varies in a random motion. The joints move
     along Fourier series about `start` (n_joints,) of frequencies up to `bandwidth`, Hz; both ends are at rest.
-    `limits`: `lower`, `upper`, `rates` and `efforts` (n_joints,), tighter ones than those of the robot file; `strain`:
-    of all entries of `model.strain_names`. `gains`: the law under which the motion is played, as :class:`PD`; without,
-    :func:`screwgen.gains` finds one. `progress` is told a line per generation; an interruption keeps the best so far.
+    `limits`: `lower`, `upper`, `rates`, `efforts` (n_joints,) and `strains`, tighter ones than those of the robot file;
+    `strain`: of all entries of `model.strain_names`. `gains`: the law under which the motion is played, as
+    :class:`PD`; without, :func:`screwgen.gains` finds one. `progress` is told a line per generation; an interruption
+    keeps the best so far.
 
     The motion is run on the model under its law. Raises UsageError where the run breaks a limit, which it names, or
     where an argument makes no sense.
@@ -119,11 +122,14 @@ def excite(
 # ------------------------------------------------------------------------------ what is given
 
 
-def _limits(model: RobotModel, given: Mapping[str, Numbers], strain: float) -> MotionLimits:
-    own = joint_limits(model, given)
+def _limits(model: RobotModel, given: Mapping[str, Any], strain: float) -> MotionLimits:
+    for name in ("wrenches", "effort_rates"):
+        if name in given:
+            raise UsageError(f"limits: {name}: an excitation does not look at these; leave them out")
+    own = motion_limits(model, given, headroom=1.0)
     if not strain > 0:
         raise UsageError(f"strain: is {strain}; it must be a number > 0")
-    return MotionLimits(own.lower, own.upper, own.rates, own.efforts, float(strain))
+    return replace(own, strains=np.minimum(own.strains, strain))
 
 
 def _columns(model: RobotModel, sensors: str | os.PathLike[str] | Columns | None) -> Columns:
@@ -204,7 +210,7 @@ def _checked(model: RobotModel, plan: MotionPlan, limits: MotionLimits, step: fl
     """The run of a motion under its law; raises UsageError where it breaks a limit."""
     run = simulate(model, plan.time, step, controller=Played.of(plan))
     bent = strains(model, run.q[None], np.asarray(model.chain.parameters.values))[0]
-    if broken := limits.broken(model, run, bent):
+    if broken := broken_limit(limits, model, run, bent):
         raise UsageError(
             f"limits: {broken} in a run of the motion under its law; state other gains, or a lower bandwidth"
         )

@@ -14,6 +14,7 @@ import numpy as np
 
 from ..errors import UsageError
 from ..planning.members import Still
+from ..planning.task import MotionLimits
 from ..robot_model import RobotModel
 from ..simulation.measured import strain
 from ..simulation.rollout import rollout
@@ -28,30 +29,20 @@ HEADROOM = 0.95
 """The share of all limits that a motion is made for; the rest is for the joint law and for what the model lacks."""
 
 
-@dataclass(frozen=True, eq=False)
-class MotionLimits:
-    """Bounds of the joints (n_joints,), and of all entries of `strain`, infinite where there is none."""
-
-    lower: np.ndarray
-    upper: np.ndarray
-    rates: np.ndarray
-    efforts: np.ndarray
-    strain: float
-
-    def broken(self, model: RobotModel, run: Run, strain: np.ndarray) -> str:
-        """A limit that a run breaks, in words, none where it keeps all; `strain` (samples, entries)."""
-        m, most = len(self.lower), np.full(strain.shape[1], self.strain)
-        for what, names, values, low, high in (
-            ("", model.q_names, run.q[:, :m], self.lower, self.upper),
-            ("the rate ", model.v_names, run.v[:, :m], -self.rates, self.rates),
-            ("the effort ", model.tau_names, run.tau[:, :m], -self.efforts, self.efforts),
-            ("the strain ", model.strain_names, strain, -most, most),
-        ):
-            for name, column, least, largest in zip(names, values.T, low, high, strict=False):
-                for end in (float(column.min()), float(column.max())):
-                    if not least <= end <= largest:
-                        return f"{what}{name} reaches {end:.4g}; its limits are {least:.4g} and {largest:.4g}"
-        return ""
+def broken_limit(limits: MotionLimits, model: RobotModel, run: Run, strain: np.ndarray) -> str:
+    """A limit that a run breaks, in words, none where it keeps all; `strain` (samples, entries)."""
+    m = len(limits.lower)
+    for what, names, values, low, high in (
+        ("", model.q_names, run.q[:, :m], limits.lower, limits.upper),
+        ("the rate ", model.v_names, run.v[:, :m], -limits.rates, limits.rates),
+        ("the effort ", model.tau_names, run.tau[:, :m], -limits.efforts, limits.efforts),
+        ("the strain ", model.strain_names, strain, -limits.strains, limits.strains),
+    ):
+        for name, column, least, largest in zip(names, values.T, low, high, strict=False):
+            for end in (float(column.min()), float(column.max())):
+                if not least <= end <= largest:
+                    return f"{what}{name} reaches {end:.4g}; its limits are {least:.4g} and {largest:.4g}"
+    return ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,9 +130,9 @@ class MotionMaker:
         """The largest shares (lanes,) that motions take of what limits and headroom leave of efforts and strains."""
         with np.errstate(invalid="ignore"):
             share = np.max(np.abs(made.tau) / self.limits.efforts, axis=(1, 2))
-        if np.isfinite(self.limits.strain):
-            bent = np.abs(strain(self.model, made.q, self.p)).max(axis=(1, 2))
-            share = np.maximum(share, bent / self.limits.strain)
+        if np.isfinite(self.limits.strains).any():
+            bent = np.abs(strain(self.model, made.q, self.p)).max(axis=1)
+            share = np.maximum(share, (bent / self.limits.strains).max(axis=1))
         return np.where(np.isnan(share), np.inf, share) / HEADROOM
 
 

@@ -15,6 +15,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from .hermite import hermite
 from .members import PlannedModel
 from .task import Task
 
@@ -109,6 +110,8 @@ def transcribed(
         _motion(made, task, member, guess, i) for i, (member, guess) in enumerate(zip(members, guesses, strict=True))
     ]
     first = motions[0].joints(m)
+    for point in task.through:
+        made.zero(_passed(first, point.share, task.time) - ca.DM(point.joints))
     for i, (member, motion) in enumerate(zip(members, motions, strict=True)):
         own, applied = motion.joints(m), everywhere
         if i:
@@ -116,14 +119,42 @@ def transcribed(
             if np.isfinite(effort).any():
                 limited = np.flatnonzero(np.isfinite(effort)).tolist()
                 made.within(applied[limited, 1:-1], -effort[limited, None], effort[limited, None])
-        residual = member.residual.map(2 * N + 1)(motion.q, motion.v, motion.a)
+        residual = member.still.residual.map(2 * N + 1)(motion.q, motion.v, motion.a)
         made.zero((residual[:m, :] - applied) / member.force_scale)
         made.zero(residual[m:, :] / member.force_scale)
+        _bounded_loads(made, task, member, motion)
+    _each_within(made, (torques[:, 1:] - torques[:, :-1]) * (N / task.time), task.limits.effort_rates)
     steps = (torques[:, 1:] - torques[:, :-1]) / members[0].force_scale
     made.cost += ca.sumsqr(steps) * N
     parts = [x for motion in motions for x in (motion.q, motion.v, motion.a)]
     unpack = ca.Function("unpack", [ca.vertcat(*made.unknowns)], _sorted(made, parts, torques))
     return Transcription(made, motions, torques, unpack)
+
+
+def _passed(motion: Trajectory, share: float, time: float) -> Vector:
+    """Coordinates at a share of the time, on the polynomials of order 5 that a plan has between its points."""
+    stretches = motion.q.shape[1] - 1
+    k = min(int(share * stretches), stretches - 1)
+    h, s = time / stretches, share * stretches - k
+    (q0, q1), (v0, v1), (a0, a1) = ((x[:, k], x[:, k + 1]) for x in (motion.q, motion.v, motion.a))
+    return hermite(q0, q1, h * v0, h * v1, h * h * a0, h * h * a1, s)
+
+
+def _bounded_loads(made: Programme, task: Task, member: PlannedModel, motion: Trajectory) -> None:
+    """Ask that strains and joint wrenches keep their limits at all points."""
+    points, limits = motion.q.shape[1], task.limits
+    if np.isfinite(limits.strains).any():
+        _each_within(made, member.still.strains.map(points)(motion.q), limits.strains)
+    if np.isfinite(limits.wrenches).any():
+        _each_within(made, member.still.wrenches.map(points)(motion.q, motion.v, motion.a), limits.wrenches)
+
+
+def _each_within(made: Programme, rows: Vector, most: np.ndarray) -> None:
+    """Ask that rows stay within their bounds of either sign, those that have one."""
+    limited = np.flatnonzero(np.isfinite(most)).tolist()
+    if limited:
+        ones = np.ones((len(limited), 1))
+        made.within(rows[limited, :] / ca.DM(most[limited]), -ones, ones)
 
 
 def _sorted(made: Programme, parts: Sequence[Vector], torques: Vector) -> list[Vector]:

@@ -13,15 +13,14 @@ from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.plan import INTERVALS, LARGEST, LEAST, SHORTEST
 from .collocation import at_points
+from .limits import HEADROOM, motion_limits
 from .members import PlannedModel, Still, member
 from .plan import MotionPlan
 from .refusals import check_ends, no_plan, refuse_robot
 from .shortest import shortest
 from .solve import Found, Progress, solve
-from .task import JointLaw, JointLimits, Task
-
-HEADROOM = 0.97
-"""The share of the limits of efforts that is planned with; the rest is for the joint law."""
+from .task import JointLaw, Task
+from .waypoints import waypoints
 
 
 def plan(
@@ -31,8 +30,9 @@ def plan(
     time: float | str,
     *,
     gains: Any = None,
+    through: Sequence[Mapping[str, Any]] = (),
     models: Sequence[Mapping[str, float]] = (),
-    limits: Mapping[str, Numbers] | None = None,
+    limits: Mapping[str, Any] | None = None,
     intervals: int = INTERVALS,
     parameters: Given = None,
     progress: Progress | None = None,
@@ -42,28 +42,26 @@ def plan(
     `start`, `goal` (n_joints,), rad, of slides m; `time`, s, or "shortest", which is fragile: nothing is left for what
     the model does not know. Of all such motions it is the one with the least integral of squared rates of torques.
 
+    `through`: joint coordinates between start and goal, `{"q": (n_joints,), "t": s}`. Without `t` they are passed when
+    the share of the time is that of the way.
     `gains`: a law with `kp`, `kd` and perhaps `tau_max`, such as a :class:`PD`, under which the plan is to be played.
     `models`: factors of parameters of further models, by names or patterns as `{"*.bodies[0].mass": 1.3}`; with them
     the same references and torques bring all models to rest, each under the law of the joints, and at its own sag.
-    `limits`: `lower`, `upper`, `rates` and `efforts` of the joints, tighter ones than those of the robot file. A joint
-    that no drive moves, as a rope's, has the effort 0.
+    `limits`: `lower`, `upper`, `rates`, `efforts` and `effort_rates` of the joints, tighter ones than those of the
+    robot file; a joint that no drive moves, as a rope's, has the effort 0. `strains` and `wrenches` are tables of the
+    largest sizes of `model.strain_names` and `model.wrench_names`, as `{"*.base_strain.*": 0.02}`.
     `intervals`: of the time; torques are linear over each, so they do not reach modes faster than these.
 
     Raises UsageError, which names the limit where one forbids the motion.
     """
     refuse_robot(model)
     m, began = model.n_joints, clock.perf_counter()
-    bounds, law = joint_limits(model, limits or {}, gains, HEADROOM), law_of(gains, m, bool(models))
+    bounds, law = motion_limits(model, limits or {}, gains), law_of(gains, m, bool(models))
     intervals = whole(intervals, "intervals", LEAST, LARGEST)
     fixed = time != SHORTEST
-    task = Task(
-        array(start, "start:", (m,)),
-        array(goal, "goal:", (m,)),
-        seconds(time, "the time") if fixed else 1.0,
-        intervals,
-        law,
-        bounds,
-    )
+    ends = array(start, "start:", (m,)), array(goal, "goal:", (m,))
+    duration = seconds(time, "the time") if fixed else 1.0
+    task = Task(*ends, duration, intervals, law, bounds, waypoints(through, *ends, time))
     values = model.chain.parameters.vector(parameters)
     own, others = Still(model, values), [Still(model, scaled(model, values, factors)) for factors in models]
     first = check_ends(task, model, own, fixed)
@@ -72,7 +70,7 @@ def plan(
     if fixed:
         found = search(task, None)
         if not found.sound:
-            raise no_plan(task, model, search)
+            raise no_plan(task, model, own, search)
     else:
         task, found = shortest(task, model, own, search)
     took = {
@@ -124,27 +122,3 @@ def law_of(gains: Any, m: int, needed: bool = False) -> JointLaw:
             raise UsageError("models: several share a motion under the law of the joints alone; give gains")
         return JointLaw(np.zeros(m), np.zeros(m))
     return JointLaw(*(array(getattr(gains, name), f"gains: {name}:", (m,)) for name in ("kp", "kd")))
-
-
-def joint_limits(
-    model: RobotModel, given: Mapping[str, Numbers], gains: Any = None, headroom: float = 1.0
-) -> JointLimits:
-    """The tightest of the robot's limits, of those that are given, and of the law's; of efforts a share."""
-    m = model.n_joints
-    known = ("lower", "upper", "rates", "efforts")
-    for name in given:
-        if name not in known:
-            raise UsageError(f"limits: there is no '{name}'; choose of {', '.join(known)}")
-    own = {key: array(value, f"limits: {key}:", (m,), finite=False) for key, value in given.items()}
-    for key in ("rates", "efforts"):
-        if key in own and not (own[key] > 0 if key == "rates" else own[key] >= 0).all():
-            raise UsageError(f"limits: {key}: must be positive, efforts of joints without a drive zero")
-    efforts = np.minimum(model.chain.efforts, own.get("efforts", np.inf))
-    if gains is not None and getattr(gains, "tau_max", None) is not None:
-        efforts = np.minimum(efforts, np.asarray(gains.tau_max, float))
-    return JointLimits(
-        np.maximum(model.chain.limits[:, 0], own.get("lower", -np.inf)),
-        np.minimum(model.chain.limits[:, 1], own.get("upper", np.inf)),
-        np.broadcast_to(own.get("rates", np.inf), (m,)).astype(float),
-        headroom * efforts,
-    )

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
+from ..algorithms import fused
+from ..algorithms.functions import Functions
+from ..backends.casadi.expressions import expressions
+from ..backends.casadi.functions import symbols
 from ..errors import UsageError
 from ..lazily import linalg
 from ..robot_model import RobotModel
@@ -25,10 +30,17 @@ class AtRest:
     torque: np.ndarray
 
 
+@fused.program("q v vdot w_ext", "joint_wrenches")
+def _joint_wrenches(f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence) -> fused.Outputs:
+    """``(q, v, vdot, w_ext) -> (wrench)``: what the joints transmit in a given motion."""
+    return {"wrench": f.loads(q, v, vdot, w_ext)[1]}
+
+
 class Still:
     """The forces of a model that rests, and how it vibrates about a rest."""
 
     def __init__(self, model: RobotModel, p: np.ndarray):
+        self.model, self.p = model, p
         found = model.once("forces at rest", partial(_forces_at_rest, model))
         n = model.nq
         q, v, a = (ca.SX.sym(name, n) for name in "qva")
@@ -36,6 +48,20 @@ class Still:
         force = model.casadi()["inverse_dynamics"](q, v, a, ca.DM.zeros(6, model.n_links), p)
         self.residual = ca.Function("residual", [q, v, a], [force])
         self.statics, self.damping, self.inertia = (partial(_at, f, p) for f in found)
+
+    @cached_property
+    def wrenches(self) -> ca.Function:
+        """``(q, v, vdot) -> (6 n_links,)``: the joint wrenches of a motion."""
+        given = symbols(self.model.chain, "q v vdot w_ext p")
+        wrench = expressions(_joint_wrenches(self.model.chain), given)["wrench"]
+        whole, motion = ca.Function("wrenches", [*given.values()], [wrench]), [given[x] for x in ("q", "v", "vdot")]
+        return ca.Function("wrenches", motion, [whole(*motion, ca.DM.zeros(6, self.model.n_links), self.p)])
+
+    @cached_property
+    def strains(self) -> ca.Function:
+        """``(q) -> (n_strains,)``: the strains of the centrelines."""
+        q = ca.SX.sym("q", self.model.nq)
+        return ca.Function("strains", [q], [self.model.casadi()["strain"](q, self.p)])
 
     def held(self, joints: np.ndarray, near: np.ndarray | None = None) -> AtRest:
         """The rest with the joints where they are said to be."""
@@ -99,7 +125,7 @@ def _at(function: ca.Function, p: np.ndarray, q: np.ndarray) -> Any:
 class PlannedModel:
     """One of the models that share a motion."""
 
-    residual: ca.Function
+    still: Still
     start: AtRest
     goal: AtRest
     energy: np.ndarray
@@ -116,4 +142,4 @@ def member(still: Still, task: Task, first: PlannedModel | None) -> PlannedModel
             still.under(task.law, reference, planned.torque, near.q)
             for reference, planned, near in ((task.start, first.start, start), (task.goal, first.goal, goal))
         )
-    return PlannedModel(still.residual, start, goal, still.energy(goal.q, task.law.kp), task.force_scale)
+    return PlannedModel(still, start, goal, still.energy(goal.q, task.law.kp), task.force_scale)

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..arguments import seconds
+from .hermite import coefficients
 
 ARRAYS = ("t", "q", "v", "vdot", "tau", "kp", "kd", "tau_max")
 
@@ -81,15 +82,7 @@ class MotionPlan:
         if "_coefficients" not in self.__dict__:
             h = self.time / (len(self.t) - 1)
             q, v, a = self.q, h * self.v, h * h * self.vdot
-            d, v0, v1, a0, a1 = np.diff(q, axis=0), v[:-1], v[1:], a[:-1], a[1:]
-            rows = [
-                q[:-1],
-                v0,
-                a0 / 2,
-                10 * d - 6 * v0 - 4 * v1 - 1.5 * a0 + 0.5 * a1,
-                -15 * d + 8 * v0 + 7 * v1 + 1.5 * a0 - a1,
-                6 * d - 3 * (v0 + v1) - 0.5 * (a0 - a1),
-            ]
+            rows = coefficients(q[:-1], q[1:], v[:-1], v[1:], a[:-1], a[1:])
             self.__dict__["_coefficients"] = np.stack(rows, axis=1)
         return self.__dict__["_coefficients"]
 

@@ -12,7 +12,6 @@ from ..files import open_arrays, sound
 from ..spec.load import one_line
 from .plan import ARRAYS, MotionPlan
 
-FORMATS = (".npz", ".csv")
 STEP = 1e-3
 """Between the rows of a .csv file, s, unless another is asked for."""
 SPACING = 1e-9

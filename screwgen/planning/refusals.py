@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import numpy as np
 
 from ..errors import UsageError
 from ..robot_model import RobotModel
+from .collocation import Trajectory
 from .members import AtRest, Still
 from .solve import Found
-from .task import JointLimits, Task
+from .task import MotionLimits, Task
 
-GROUPS = {"efforts": ("efforts",), "rates": ("rates",), "joint ranges": ("lower", "upper")}
+GROUPS = {
+    "efforts": ("efforts",),
+    "rates": ("rates",),
+    "joint ranges": ("lower", "upper"),
+    "rates of efforts": ("effort_rates",),
+    "strains": ("strains",),
+    "joint wrenches": ("wrenches",),
+}
 """The limits that are left out together to see which of them forbids a motion."""
 ROUNDING = 1e-9
 
@@ -41,7 +49,8 @@ def refuse_robot(model: RobotModel, what: str = "plan", instead: str = "give ref
 def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> AtRest:
     """The rest at the start; refuses ends beyond limits of joints, efforts that do not hold there, a way too far."""
     limits, names = task.limits, model.q_names
-    for end, joints in (("start", task.start), ("goal", task.goal)):
+    through = ((f"through[{i}]", x.joints) for i, x in enumerate(task.through))
+    for end, joints in (("start", task.start), *through, ("goal", task.goal)):
         for j, (x, low, high) in enumerate(zip(joints, limits.lower, limits.upper, strict=True)):
             if not low - ROUNDING <= x <= high + ROUNDING:
                 raise UsageError(f"{end}: {names[j]} is {x:g}; its limits are {low:g} and {high:g}")
@@ -52,7 +61,13 @@ def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> AtRest
                 raise UsageError(
                     f"{end}: to rest there takes {effort:.4g} of {names[j]}; of its limit {most:.4g} is planned with"
                 )
-    way, rates = np.abs(task.goal - task.start), limits.rates
+        for _, sizes, most, every in _loads(
+            model, own, Trajectory(rest.q[:, None], 0.0 * rest.q, 0.0 * rest.q), limits
+        ):
+            if (over := np.flatnonzero(sizes > most * (1.0 + ROUNDING))).size:
+                j = int(over[0])
+                raise UsageError(f"{end}: at rest {every[j]} is {sizes[j]:.4g}; its limit is {most[j]:.4g}")
+    way, rates = np.abs(task.way), limits.rates
     if fixed and (fast := np.flatnonzero(way > rates * task.time)).size:
         j = int(fast[0])
         said = f"{names[j]} goes {way[j]:.4g} in {task.time:g} s, with a rate of {rates[j]:g} at most"
@@ -62,16 +77,16 @@ def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> AtRest
     return start
 
 
-def no_plan(task: Task, model: RobotModel, search: Callable[[Task, Found | None], Found]) -> UsageError:
+def no_plan(task: Task, model: RobotModel, own: Still, search: Callable[[Task, Found | None], Found]) -> UsageError:
     """The error of a task without a plan: which limit forbids it, found by seeking without it."""
     said = f"no plan was found in {task.time:g} s"
     there = [name for name, keys in GROUPS.items() if any(np.isfinite(getattr(task.limits, k)).any() for k in keys)]
     if there:
         free = search(without(task, there), None)
         if free.sound:
-            passed = [what for name in there if (what := _passed(name, task, model, free))]
-            alone = [name for name in there if search(without(task, [name]), None).sound]
-            cause = f"the limits of {alone[0]} forbid it" if alone else f"the limits of {' and '.join(there)} forbid it"
+            passed = [what for name in there if (what := _passed(name, task, model, own, free))]
+            alone = (name for name in there if search(without(task, [name]), free).sound)
+            cause = f"the limits of {next(alone, ' and '.join(there))} forbid it"
             return UsageError(f"{said}: {cause}; without limits {', '.join(passed)}; take more time, or raise limits")
     remedy = "take more time, other intervals, or an order of the links that bears such bends"
     return UsageError(f"{said}: the search did not converge{', even without limits' * bool(there)}; {remedy}")
@@ -80,23 +95,39 @@ def no_plan(task: Task, model: RobotModel, search: Callable[[Task, Found | None]
 def without(task: Task, groups: list[str]) -> Task:
     """The task with some limits left out."""
     keys = [key for name in groups for key in GROUPS[name]]
-    free = {key: np.full(len(task.start), -np.inf if key == "lower" else np.inf) for key in keys}
+    free = {key: np.full_like(getattr(task.limits, key), -np.inf if key == "lower" else np.inf) for key in keys}
     return replace(task, limits=replace(task.limits, **free))
 
 
-def _passed(group: str, task: Task, model: RobotModel, found: Found) -> str:
-    """By how much a motion without limits passes those of a group, at the joint where it does so most."""
+def _passed(group: str, task: Task, model: RobotModel, own: Still, found: Found) -> str:
+    """By how much a motion without limits passes those of a group, where it does so most."""
     m, limits, motion = len(task.start), task.limits, found.motions[0]
-    reached, most, unit = {
-        "efforts": (np.abs(found.torques).max(axis=1), limits.efforts, ""),
-        "rates": (np.abs(motion.v[:m]).max(axis=1), limits.rates, " 1/s"),
-        "joint ranges": _beyond(motion.q[:m], limits),
+    pace = np.diff(found.torques, axis=1) * task.intervals / task.time
+    loads = {what: (sizes, most, "", names) for what, sizes, most, names in _loads(model, own, motion, limits)}
+    reached, most, unit, names = {
+        "efforts": (np.abs(found.torques).max(axis=1), limits.efforts, "", model.q_names),
+        "rates": (np.abs(motion.v[:m]).max(axis=1), limits.rates, " 1/s", model.q_names),
+        "joint ranges": (*_beyond(motion.q[:m], limits), model.q_names),
+        "rates of efforts": (np.abs(pace).max(axis=1), limits.effort_rates, " per s", model.q_names),
+        **loads,
     }[group]
     j = int(np.argmax(reached / np.maximum(most, 1e-12)))
-    return f"{model.q_names[j]} would take {reached[j]:.4g}{unit} of {most[j]:.4g}" if reached[j] > most[j] else ""
+    return f"{names[j]} would take {reached[j]:.4g}{unit} of {most[j]:.4g}" if reached[j] > most[j] else ""
 
 
-def _beyond(q: np.ndarray, limits: JointLimits) -> tuple[np.ndarray, np.ndarray, str]:
+def _loads(
+    model: RobotModel, own: Still, motion: Trajectory, limits: MotionLimits
+) -> Iterator[tuple[str, np.ndarray, np.ndarray, list[str]]]:
+    """Of strains and joint wrenches that are limited: the largest sizes in a motion, their limits and names."""
+    if np.isfinite(limits.strains).any():
+        sizes = np.abs(np.array(own.strains(motion.q))).max(axis=1)
+        yield "strains", sizes, limits.strains, model.strain_names
+    if np.isfinite(limits.wrenches).any():
+        sizes = np.abs(np.array(own.wrenches(motion.q, motion.v, motion.a))).max(axis=1)
+        yield "joint wrenches", sizes, limits.wrenches, model.wrench_names
+
+
+def _beyond(q: np.ndarray, limits: MotionLimits) -> tuple[np.ndarray, np.ndarray, str]:
     """The farthest coordinates, with the limits on their sides, counted from the middle of the range."""
     with np.errstate(invalid="ignore"):
         over, under = q.max(axis=1) - limits.upper, limits.lower - q.min(axis=1)

@@ -48,6 +48,6 @@ def _first(task: Task, own: Still) -> float:
     """A time in which a rigid arm would get there, joint by joint, with half of the efforts that remain."""
     rest = own.held(task.start)
     inertia = np.abs(np.diag(np.array(own.inertia(rest.q))))[: len(task.start)]
-    way, spare = np.abs(task.goal - task.start), task.limits.efforts - np.abs(rest.torque)
+    way, spare = np.abs(task.way), task.limits.efforts - np.abs(rest.torque)
     times = [2 * np.sqrt(2 * inertia * way / spare), 1.5 * way / task.limits.rates]
     return float(np.max(times))

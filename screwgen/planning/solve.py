@@ -101,14 +101,29 @@ def curvature(problem: dict[str, ca.MX]) -> ca.Function:
 def guess(task: Task, member: PlannedModel) -> Found:
     """Coordinates that go from rest to rest along paths of least jerk, and torques that go evenly."""
     s, N, T = np.linspace(0.0, 1.0, 2 * task.intervals + 1), task.intervals, task.time
-    way = (member.goal.q - member.start.q)[:, None]
-    place, rate = s**3 * (10 - 15 * s + 6 * s**2), 30 * (s * (1 - s)) ** 2 / T
-    motion = Trajectory(
-        member.start.q[:, None] + way * place, way * rate, way * (60 * s - 180 * s**2 + 120 * s**3) / T**2
-    )
+    motion = _spline(task, member, s) if task.through else _least_jerk(member.start.q, member.goal.q, s, T)
     ends = (member.goal.torque - member.start.torque)[:, None]
     torques = member.start.torque[:, None] + ends * np.linspace(0.0, 1.0, N + 1)
     return Found([motion], torques, T, 0, np.inf, np.inf, False)
+
+
+def _least_jerk(start: np.ndarray, goal: np.ndarray, s: np.ndarray, T: float) -> Trajectory:
+    """From rest to rest at shares of the time."""
+    way = (goal - start)[:, None]
+    place, rate = s**3 * (10 - 15 * s + 6 * s**2), 30 * (s * (1 - s)) ** 2 / T
+    return Trajectory(start[:, None] + way * place, way * rate, way * (60 * s - 180 * s**2 + 120 * s**3) / T**2)
+
+
+def _spline(task: Task, member: PlannedModel, s: np.ndarray) -> Trajectory:
+    """Joints on a cubic spline through the waypoints, the others evenly from rest to rest."""
+    from scipy.interpolate import CubicSpline
+
+    when = [0.0, *(x.share for x in task.through), 1.0]
+    q = np.array([member.start.q + share * (member.goal.q - member.start.q) for share in when])
+    for row, point in zip(q[1:-1], task.through, strict=True):
+        row[: len(task.start)] = point.joints
+    path, T = CubicSpline(when, q, bc_type="clamped"), task.time
+    return Trajectory(path(s).T, path(s, 1).T / T, path(s, 2).T / T**2)
 
 
 def _beside(near: Found, first: PlannedModel, other: PlannedModel) -> Trajectory:

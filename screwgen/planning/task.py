@@ -7,6 +7,8 @@ from dataclasses import dataclass, replace
 import casadi as ca
 import numpy as np
 
+from .waypoints import Waypoint
+
 WEIGHT, STRICTER = 1e5, 100.0
 """Of the energy that is left at the end, over that of the motion: a hundred-thousandth costs one. By a factor more
 where that does not bring it to rest.
@@ -33,31 +35,44 @@ class JointLaw:
 
 
 @dataclass(frozen=True)
-class JointLimits:
-    """Bounds of the joints (n_joints,) each, infinite where there is none."""
+class MotionLimits:
+    """Bounds of a motion, infinite where there is none; of the joints (n_joints,) each."""
 
     lower: np.ndarray
     upper: np.ndarray
     rates: np.ndarray
     efforts: np.ndarray
+    effort_rates: np.ndarray
+    """N·m/s, of slides N/s: how fast torques of drives may change."""
+    strains: np.ndarray
+    """(n_strains,): of the centrelines, in the order of `model.strain_names`, of either sign."""
+    wrenches: np.ndarray
+    """(6 n_links,): of the joint wrenches, in the order of `model.wrench_names`, of either sign."""
 
 
 @dataclass(frozen=True)
 class Task:
-    """A motion of the joints from rest to rest."""
+    """A motion of the joints from rest to rest, perhaps through waypoints."""
 
     start: np.ndarray
     goal: np.ndarray
     time: float
     intervals: int
     law: JointLaw
-    limits: JointLimits
+    limits: MotionLimits
+    through: tuple[Waypoint, ...] = ()
     force_scale: float = 1.0
     """What torques are measured in, N·m."""
     weight: float = WEIGHT
     """Of the energy that is left at the end, over that of the motion."""
     energy_scale: float = 1.0
     """What energies are measured in, J."""
+
+    @property
+    def way(self) -> np.ndarray:
+        """(n_joints,): how far each joint goes; there and back are added up."""
+        legs = np.diff([self.start, *(x.joints for x in self.through), self.goal], axis=0)
+        return np.copysign(np.abs(legs).sum(axis=0), self.goal - self.start)
 
     def within(self, time: float) -> Task:
         """The same motion in another time."""
@@ -69,6 +84,6 @@ class Task:
 
     def measured_in(self, inertia: np.ndarray, holding: np.ndarray) -> Task:
         """The same with the sizes of its torques and energies, of an arm with an inertia (n_joints, n_joints)."""
-        rate = (self.goal - self.start) / self.time
+        rate = self.way / self.time
         force = np.abs(np.append(inertia @ rate * 6 / self.time, holding)).max()
         return replace(self, force_scale=float(force), energy_scale=float(rate @ inertia @ rate))

@@ -13,12 +13,13 @@ from ..arguments import Given, Numbers, array, real_numbers, seconds
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from .inversion import TipEquations, Window, inverted
-from .make import joint_limits, law_of
+from .limits import motion_limits
+from .make import law_of
 from .members import Still
 from .plan import MotionPlan
 from .refusals import refuse_robot
 from .solve import Progress
-from .task import JointLimits
+from .task import MotionLimits
 
 Path = Callable[[np.ndarray], Any]
 """Places (…, 3), m, in inertial axes at times (…), s."""
@@ -87,7 +88,7 @@ def _planned(
 ) -> MotionPlan:
     """The plan of coordinates, rates and accelerations at its points, which rests at both ends; checks limits."""
     m, points = model.n_joints, len(motion[0])
-    law, limits = law_of(gains, m), joint_limits(model, {}, gains)
+    law, limits = law_of(gains, m), motion_limits(model, {}, gains, 1.0)
     tau = np.array(still.residual.map(points)(*(x.T for x in motion)))[:m].T
     q, v, a = (np.ascontiguousarray(x[:, :m]) for x in motion)
     for end in (0, -1):
@@ -159,7 +160,7 @@ def _check_cut(joints: np.ndarray, played: slice, preview: float) -> None:
             raise UsageError(f"{said}; take a longer one, or a path that begins and ends more smoothly")
 
 
-def _check_limits(q: np.ndarray, tau: np.ndarray, limits: JointLimits, most: np.ndarray, names: Sequence[str]) -> None:
+def _check_limits(q: np.ndarray, tau: np.ndarray, limits: MotionLimits, most: np.ndarray, names: Sequence[str]) -> None:
     """Refuse a motion that leaves the ranges of joints, or takes more than their drives have."""
     for j, name in enumerate(names):
         low, high, effort = q[:, j].min(), q[:, j].max(), np.abs(tau[:, j]).max()

@@ -31,11 +31,18 @@ def _read_lqg(path: Any, model: RobotModel) -> Controller:
     return read_lqg_law(path, model)
 
 
+def _read_shaped(path: Any, model: RobotModel) -> Controller:
+    from .shaped import read_shaped
+
+    return read_shaped(path, model)
+
+
 CONTROLLERS: dict[str, Callable[[Any, RobotModel], Controller]] = {
     "pd": read_pd,
     "plan": _read_played,
     "feedforward": _read_fed,
     "lqg": _read_lqg,
+    "shaper": _read_shaped,
     "csv": read_inputs,
 }
 

@@ -48,25 +48,59 @@ def _factors(value: Any, i: int) -> dict[str, float]:
     return {name: number(x, at=(i, name)) for name, x in value.items()}
 
 
+def _named(value: Any) -> dict[str, float]:
+    if not isinstance(value, dict):
+        raise refuse(f'is {shown(value)}; it must be a table of names and numbers, as {{ "*.base_strain.*" = 0.02 }}')
+    return {name: positive(x, at=(name,)) for name, x in value.items()}
+
+
+def _tip(value: Any) -> tuple[float, ...]:
+    place = _numbers(value)
+    if len(place) != 3:
+        raise refuse(f"has {len(place)} numbers; a place in the world has 3, m")
+    return place
+
+
+def _through(value: Any) -> tuple[dict[str, Any], ...]:
+    for i, point in enumerate(array(value, "an array of tables { q = [...] }")):
+        if not (isinstance(point, dict) and "q" in point and set(point) <= {"q", "t"}):
+            raise refuse(f"is {shown(point)}; it must be a table as {{ q = [0.3], t = 0.5 }}, t may be left out", (i,))
+    return tuple(
+        {"q": _numbers(x["q"])} | ({"t": positive(x["t"], at=(i, "t"))} if "t" in x else {})
+        for i, x in enumerate(value)
+    )
+
+
 Joints = Annotated[tuple[float, ...], PlainValidator(_numbers)]
 Efforts = Annotated[tuple[float, ...], PlainValidator(_efforts)]
 Sizes = Annotated[tuple[float, ...], PlainValidator(_positives)]
 
+Named = Annotated[dict[str, float], PlainValidator(_named)]
+
 
 class PlanLimits(Part):
-    """Limits of the joints beside those of the robot file."""
+    """Limits of a motion beside those of the robot file."""
 
     lower: Joints | None = Field(None, description="least joint coordinates, rad, of slides m")
     upper: Joints | None = Field(None, description="largest joint coordinates")
     rates: Sizes | None = Field(None, description="largest joint rates, rad/s or m/s, of either sign")
     efforts: Efforts | None = Field(None, description="largest efforts of drives, N·m or N; 0 where there is no drive")
+    effort_rates: Sizes | None = Field(None, description="largest rates of efforts, N·m/s or N/s")
+    strains: Named | None = Field(None, description="largest strains by names or patterns, 1/m, rad/m, stretch 1")
+    wrenches: Named | None = Field(None, description="largest joint wrenches by names or patterns, N·m, N")
 
 
 class PlanFile(Part):
     """A motion from rest to rest."""
 
     start: Joints = Field(description="joint coordinates at the start, rad, of slides m")
-    goal: Joints = Field(description="joint coordinates at the goal")
+    goal: Joints | None = Field(None, description="joint coordinates at the goal")
+    goal_tip: Annotated[tuple[float, ...] | None, PlainValidator(_tip)] = Field(
+        None, description="in place of goal: where the last tip rests there, m, in the world"
+    )
+    through: Annotated[tuple[dict[str, Any], ...], PlainValidator(_through)] = Field(
+        (), description="joint coordinates q that are passed between, and t, s, where the time is stated"
+    )
     time: Annotated[float | str, PlainValidator(_time)] = Field(description='s, or "shortest"')
     gains: str | None = Field(None, description="the file of the joint law under which the plan is played")
     intervals: Annotated[int, PlainValidator(whole(LEAST, LARGEST))] = Field(INTERVALS, description="of the time")
@@ -84,4 +118,6 @@ def read_task(path: str | os.PathLike[str]) -> tuple[PlanFile, str | None]:
         found = PlanFile.model_validate(data)
     except ValidationError as error:
         raise RobotFileError(f"{file}: {explain(error, PlanFile, data)}") from None
+    if (found.goal is None) == (found.goal_tip is None):
+        raise RobotFileError(f"{file}: goal, goal_tip: state one of them")
     return found, None if found.gains is None else str(Path(path).parent / found.gains)

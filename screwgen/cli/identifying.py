@@ -27,7 +27,7 @@ def identify(
         typer.Option(
             metavar="PATTERN",
             help="What is free, as arm.EIz or gauge.offset, * is any text; 'arm.EIz = 2 ± 0.3' is a prior, "
-            "'arm.EIz in 1..3' has bounds; may be given again.",
+            "'arm.EIz in 1..3' has bounds, '*.profile.E together' is one number; may be given again.",
         ),
     ],
     sensors: Annotated[
@@ -54,6 +54,7 @@ def identify(
     """Identify numbers of a robot, its sensors and inputs from logs, and write its file anew with them: comments stay,
     intervals stand behind the numbers. What is odd of logs and fit is said on stderr. Ctrl-C keeps the best so far.
     """
+    from ..identification.file_numbers import file_numbers
     from ..identification.identify import identify as identified
     from ..identification.robot_text import check_stated
     from ..identification.unknowns import free_parameters
@@ -69,9 +70,9 @@ def identify(
         check_output(report, (".html",))
     quiet = quiet or context.obj
     model = derive(load_robot(robot, quiet))
-    check_stated(robot, free_parameters(model, free))
+    check_stated(robot, free_parameters(model, free, file_numbers(robot, model)))
     more: dict[str, Any] = {"sensors": sensors, "held_out": check or (), "window": window, "substeps": substeps}
-    more |= {"integrator": integrator, "robust": robust, "iterations": iterations}
+    more |= {"robot_file": robot, "integrator": integrator, "robust": robust, "iterations": iterations}
     with told("identifying", quiet) as progress:
         found = identified(model, logs, free=free, progress=progress, **more)
     texts = {output: found.robot_text(robot)}

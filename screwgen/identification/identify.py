@@ -17,10 +17,11 @@ from ..robot_model import RobotModel
 from ..spec.columns import Column, Columns
 from ..studies.modes import natural_frequencies
 from . import odd
-from .beside import explained, how_of, vector, windows_of_log
+from .beside import cases_of, explained, how_of, vector
+from .file_numbers import file_numbers
 from .identification import Estimated, Identification
 from .logs import Log, checked, faults
-from .problem import MotionMethod, Problem, Windows
+from .problem import MeasuredCases, MotionMethod, Problem
 from .solve import INTERRUPTED, Estimate, Fit
 from .sources import Source, columns_of, log_of, several, some, varying
 from .uncertainty import LOST, Uncertainty, uncertainty
@@ -47,6 +48,7 @@ def identify(
     robust: bool = False,
     iterations: int = 40,
     threads: int = 1,
+    robot_file: str | os.PathLike[str] | None = None,
     progress: Callable[[str], None] | None = None,
 ) -> Identification:
     """Identify numbers of a robot, its sensors and its inputs from logs.
@@ -54,8 +56,11 @@ def identify(
     `logs`: CSV or npz files, ``log.csv@0:10`` for a part in seconds, runs of :func:`screwgen.simulate`, or
     :class:`.logs.Log`. `free`: names, or patterns in which ``*`` is any text: of parameters as ``arm.EIz``, of columns
     as ``gauge.offset``, ``scale``, ``delay``, ``cutoff``, of inputs ``current.gain``, ``bias``; ``"arm.EIz = 2 ± 0.3"``
-    states a prior, ``"arm.EIz in 1..3"`` bounds. `sensors`: a TOML table of what columns are, or :class:`.Columns`;
-    without it columns are named as in runs. `held_out`: logs that are not fitted but compared.
+    states a prior, ``"arm.EIz in 1..3"`` bounds; ``"*.EIz together"`` is one number in place of equal ones. With the
+    `robot_file` that the model was loaded from, also numbers of the file that give several parameters, as
+    ``arm.profile.E``. `sensors`: a TOML table of what columns are, or :class:`.Columns`; without it columns are named
+    as in runs; with ``static = true`` rows are the robot at rest, and ``shapes.csv@0:10`` are the first ten.
+    `held_out`: logs that are not fitted but compared.
 
     The logs are cut into windows of about `window` seconds, which begin near smoothed readings. `integrator` and
     `substeps` as :func:`screwgen.rollout` has them, by the step of the log. `robust`: outliers count by their size.
@@ -73,7 +78,8 @@ def identify(
     for log in (*read, *compared):
         checked(log, columns)
     window = seconds(window, "window")
-    asked = unknowns_of_logs(model, columns, free, read)
+    file = None if robot_file is None else file_numbers(robot_file, model)
+    asked = unknowns_of_logs(model, columns, free, read, file)
     fit, at = NumberSearch(model, read, columns, asked, window, robust, iterations, how, progress).best()
     values = asked.values(at.sought)
     known = uncertainty(fit, at)
@@ -83,7 +89,7 @@ def identify(
         for k, log in enumerate([*read, *compared])
     ]
     told = odd.of_inputs(model, columns) + [line for log in (*read, *compared) for line in faults(log, columns)]
-    white = odd.whiteness(fit, at)
+    white = {} if columns.static else odd.whiteness(fit, at)
     told += (
         odd.of_fit(fit, at)
         + odd.of_whiteness(white)
@@ -91,10 +97,11 @@ def identify(
         + odd.of_bounds(asked, at, fit)
         + odd.of_units(beside)
     )
-    posture = fit.problem.groups[0].begin[0].x[: model.nq]
+    posture = fit.problem.groups[0].posture
     frequencies = _frequencies(model, p, posture)
-    told += odd.of_filters(model, columns, asked, p, min(frequencies, default=0.0))
-    told += odd.of_repetition(read, compared, columns)
+    if not columns.static:
+        told += odd.of_filters(model, columns, asked, p, min(frequencies, default=0.0))
+        told += odd.of_repetition(read, compared, columns)
     tried: dict[str, float | int | str] = {
         "iterations": len(at.history),
         "rollouts": fit.problem.rollouts,
@@ -105,7 +112,7 @@ def identify(
     return Identification(
         model.robot.name,
         tuple(_estimated(asked, at, known, fit)),
-        {one.name: float(x) for one, x in zip(asked, values, strict=True) if one.place >= 0},
+        _parameters(model, asked, p),
         own,
         tuple(beside),
         tuple(direction_in_words(asked, *direction) for direction in known.directions),
@@ -137,7 +144,7 @@ class NumberSearch:
         """The fit and its estimate; where it explains little, that to which shorter windows lead if it is better."""
         start = np.zeros(len(self.asked))
         first = self.begun_anew(self.window, start)
-        if first[0].worst(first[1]) < OFF or first[1].stopped == INTERRUPTED:
+        if self.columns.static or first[0].worst(first[1]) < OFF or first[1].stopped == INTERRUPTED:
             return first
         sought, history = start, first[1].history
         try:
@@ -153,17 +160,16 @@ class NumberSearch:
     def begun_anew(self, window: float, sought: np.ndarray) -> tuple[Fit, Estimate]:
         """The fit from some numbers on; where numbers of sensors changed, windows begin anew."""
         model, asked = self.model, self.asked
-        noise = np.array([np.nan if c.noise is None else c.noise for c in self.columns.sensors])
-        history, rollouts, groups = list[float](), 0, list[Windows]()
+        history, rollouts, groups = list[float](), 0, list[MeasuredCases]()
         for _ in range(ROUNDS):
             values = asked.values(sought)
             own, p = with_numbers(self.columns, asked, values), vector(model, asked, values)
-            before, groups = groups, [windows_of_log(model, log, own, window, p) for log in self.logs]
+            before, groups = groups, [cases_of(model, log, own, window, p) for log in self.logs]
             if before and all(x.near(y) for x, y in zip(groups, before, strict=True)):
                 break
             problem = Problem(model, groups, asked, self.how)
             problem.rollouts = rollouts
-            fit = Fit(problem, noise[groups[0].experiment.compared], self.robust, self.progress)
+            fit = Fit(problem, self.robust, self.progress)
             at = fit.run(self.iterations - len(history), sought)
             history += at.history
             sought, rollouts = at.sought, problem.rollouts
@@ -204,6 +210,14 @@ def _frequencies(model: RobotModel, p: np.ndarray, q: np.ndarray) -> tuple[float
             return ()
 
 
+def _parameters(model: RobotModel, asked: Unknowns, p: np.ndarray) -> dict[str, float]:
+    """The parameters that were free by name, of all parameters (n,) that were found."""
+    places = {place for one in asked for place in one.places}
+    if any(one.of_file for one in asked):
+        places |= set(np.flatnonzero(p != model.chain.parameters.values).tolist())
+    return {model.parameter_names[k]: float(p[k]) for k in sorted(places)}
+
+
 def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit) -> list[Estimated]:
     values, out = asked.values(at.sought), []
     for k, one in enumerate(asked):
@@ -211,5 +225,7 @@ def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit) -> l
         low, high = sorted(float(one.values(at.sought[k] + sign * wide)) for sign in (-1, 1))
         bound = "low" if at.sought[k] <= fit.low[k] else "high" if at.sought[k] >= fit.high[k] else ""
         sure = bool(known.deviation[k] <= LOST)
-        out.append(Estimated(one.name, one.unit, one.kind, one.value, float(values[k]), low, high, sure, bound))
+        out.append(
+            Estimated(one.name, one.unit, one.kind, one.value, float(values[k]), low, high, sure, bound, one.members)
+        )
     return out

@@ -36,11 +36,13 @@ class Log:
     name: str
     t: np.ndarray
     columns: Mapping[str, np.ndarray]
+    static: bool = False
+    """Whether rows are static shapes: `t` counts them from 0, as if one were taken every second."""
 
     @property
     def step(self) -> float:
         """The time between samples, s."""
-        return float((self.t[-1] - self.t[0]) / (len(self.t) - 1))
+        return 1.0 if self.static else float((self.t[-1] - self.t[0]) / (len(self.t) - 1))
 
     def __len__(self) -> int:
         return len(self.t)
@@ -48,8 +50,9 @@ class Log:
     def part(self, start: float, end: float) -> Log:
         """The samples from a time to another, s, the end excluded."""
         chosen = (self.t >= start - self.step / 2) & (self.t < end - self.step / 2)
-        if chosen.sum() < LEAST:
-            raise UsageError(f"{self.name}: has {chosen.sum()} samples from {start:g} to {end:g} s; {LEAST} are needed")
+        least, unit, rows = (1, "", "rows") if self.static else (LEAST, " s", "samples")
+        if (found := chosen.sum()) < least:
+            raise UsageError(f"{self.name}: has {found} {rows} from {start:g} to {end:g}{unit}; {least} are needed")
         return replace(self, t=self.t[chosen], columns={name: x[chosen] for name, x in self.columns.items()})
 
 
@@ -68,18 +71,28 @@ def read_log(path: str | os.PathLike[str], columns: Columns) -> Log:
     Raises UsageError, `<file>: <fault>; <remedy>`, where it cannot be read or a column is missing.
     """
     file = one_line(os.fsdecode(path))
-    wanted = [columns.time, *(column.name for column in columns.columns)]
+    names = [column.name for column in columns.columns]
+    wanted = names if columns.static else [columns.time, *names]
     found = _npz_columns(path) if suffix(path) == ".npz" else _csv_columns(path, file, wanted)
     for name in wanted:
         if name not in found:
             some = ", ".join(map(one_line, list(found)[:6]))
             raise UsageError(f"{file}: has no column '{one_line(name)}'; it has {some or 'none'}")
-    return Log(file, found[columns.time], {name: found[name] for name in wanted[1:]})
+    own = {name: found[name] for name in names}
+    return counted(Log(file, np.zeros(0), own)) if columns.static else Log(file, found[columns.time], own)
+
+
+def counted(log: Log) -> Log:
+    """The rows of a table as static shapes."""
+    return replace(log, t=np.arange(float(max((len(x) for x in log.columns.values()), default=0))), static=True)
 
 
 def checked(log: Log, columns: Columns) -> Log:
     """The log, if its times are even and its columns can be used; raises UsageError."""
-    _check_times(log, columns.time)
+    if not len(log):
+        raise UsageError(f"{log.name}: has no rows; give one at least")
+    if not log.static:
+        _check_times(log, columns.time)
     for column in columns.columns:
         if column.name not in log.columns:
             raise UsageError(f"{log.name}: has no column '{column.name}'; it has {', '.join(log.columns)}")
@@ -112,10 +125,10 @@ def _check_input(log: Log, column: Column, values: np.ndarray) -> None:
 
 def _check_sensor(log: Log, column: Column, values: np.ndarray) -> None:
     there = values[np.isfinite(values)]
-    if len(there) < (1 - GAPS) * len(values):
+    if len(there) < max(1, (1 - GAPS) * len(values)):
         missing = f"{len(values) - len(there)} of {len(values)} readings"
         raise UsageError(f"{log.name}: {column.name} lacks {missing}; leave the column out, or cut the log")
-    if there.min() == there.max():
+    if not log.static and there.min() == there.max():
         raise UsageError(f"{log.name}: {column.name} is {there[0]:g} throughout and says nothing; leave it out")
 
 
@@ -133,7 +146,7 @@ def faults(log: Log, columns: Columns) -> list[str]:
         out += [
             f"{log.name}: {column.name} seems saturated at {end:g}, where it stops suddenly; cut these samples out"
             for end in (there.min(), there.max())
-            if _saturated(there, end)
+            if not log.static and _saturated(there, end)
         ]
     return out
 

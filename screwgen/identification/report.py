@@ -55,7 +55,7 @@ def _logs(found: Identification) -> Context:
     for log in found.explained:
         of = {name: log.share(name) for name in ("before", "whole", "windows")}
         kind = "held out" if log.held_out else "fitted"
-        for sensor in log.sensors:
+        for sensor in of["whole"]:
             rows.append(
                 {"log": log.log, "kind": kind, "sensor": sensor} | {k: _percent(x[sensor]) for k, x in of.items()}
             )
@@ -86,7 +86,9 @@ def _curves(found: Identification) -> Context:
 
 
 def _residuals(found: Identification) -> Context:
-    fitted = [log for log in found.explained if not log.held_out]
+    fitted = [log for log in found.explained if not (log.held_out or log.static)]
+    if not fitted:
+        return {"rows": [], "picture": ""}
     of = {sensor: spectrum(fitted, sensor) for sensor in fitted[0].sensors}
     first = min(found.frequencies, default=0.0)
     rows = []

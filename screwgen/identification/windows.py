@@ -43,6 +43,11 @@ class Experiment:
         """(N, sensors)"""
         return np.column_stack([self.log.columns[column.name] for column in self.columns.sensors])
 
+    @property
+    def noise(self) -> np.ndarray:
+        """(sensors,): the deviations of noise, NaN where none is stated."""
+        return np.array([np.nan if c.noise is None else c.noise for c in self.columns.sensors])
+
     @cached_property
     def inputs(self) -> np.ndarray:
         """The columns that drive, (N, inputs)."""

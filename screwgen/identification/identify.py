@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from time import perf_counter
@@ -12,10 +11,9 @@ from typing import Any
 import numpy as np
 
 from ..arguments import seconds, whole
-from ..errors import ScrewgenError, UsageError
+from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.columns import Column, Columns
-from ..studies.modes import natural_frequencies
 from . import odd
 from .beside import cases_of, explained, how_of, vector
 from .file_numbers import file_numbers
@@ -24,6 +22,7 @@ from .logs import Log, checked, faults
 from .problem import MeasuredCases, MotionMethod, Problem
 from .solve import INTERRUPTED, Estimate, Fit
 from .sources import Source, columns_of, log_of, several, some, varying
+from .suspected import check_steps, frequencies, of_gains
 from .uncertainty import LOST, Uncertainty, uncertainty
 from .unknowns import INPUT, SENSOR, Unknowns, unknowns_of_logs
 from .words import direction_in_words
@@ -78,8 +77,11 @@ def identify(
     for log in (*read, *compared):
         checked(log, columns)
     window = seconds(window, "window")
+    check_steps(model, (*read, *compared))
     file = None if robot_file is None else file_numbers(robot_file, model)
     asked = unknowns_of_logs(model, columns, free, read, file)
+    start = [cases_of(model, log, columns, window, model.chain.parameters.values) for log in read]
+    suspected = of_gains(model, start, how)
     fit, at = NumberSearch(model, read, columns, asked, window, robust, iterations, how, progress).best()
     values = asked.values(at.sought)
     known = uncertainty(fit, at)
@@ -88,7 +90,11 @@ def identify(
         explained(model, log, own, asked, at.sought, how, (window, robust), k >= len(read))
         for k, log in enumerate([*read, *compared])
     ]
-    told = odd.of_inputs(model, columns) + [line for log in (*read, *compared) for line in faults(log, columns)]
+    told = (
+        suspected
+        + odd.of_inputs(model, columns)
+        + [line for log in (*read, *compared) for line in faults(log, columns)]
+    )
     white = {} if columns.static else odd.whiteness(fit, at)
     told += (
         odd.of_fit(fit, at)
@@ -98,9 +104,9 @@ def identify(
         + odd.of_units(beside)
     )
     posture = fit.problem.groups[0].posture
-    frequencies = _frequencies(model, p, posture)
+    found = frequencies(model, p, posture)
     if not columns.static:
-        told += odd.of_filters(model, columns, asked, p, min(frequencies, default=0.0))
+        told += odd.of_filters(model, columns, asked, p, min(found, default=0.0))
         told += odd.of_repetition(read, compared, columns)
     tried: dict[str, float | int | str] = {
         "iterations": len(at.history),
@@ -118,7 +124,7 @@ def identify(
         tuple(direction_in_words(asked, *direction) for direction in known.directions),
         tuple(told),
         white,
-        frequencies,
+        found,
         tried,
     )
 
@@ -198,16 +204,6 @@ def _with(column: Column, numbers: dict[str, float]) -> Column:
 
 
 # ------------------------------------------------------------------------------ the result
-
-
-def _frequencies(model: RobotModel, p: np.ndarray, q: np.ndarray) -> tuple[float, ...]:
-    """The natural frequencies at parameters (n,) in a posture, Hz; none where there are none to speak of."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            return tuple(x for x in natural_frequencies(model, q, parameters=p).tolist() if x > 0)
-        except ScrewgenError:  # loads that change with the motion, or a rigid robot
-            return ()
 
 
 def _parameters(model: RobotModel, asked: Unknowns, p: np.ndarray) -> dict[str, float]:

@@ -76,7 +76,7 @@ def log_of(source: Source, columns: Columns) -> Log:
     if isinstance(source, Log):
         return counted(source) if columns.static and not source.static else source
     path, start, end = _part(source)
-    log = read_log(path, columns)
+    log = read_log(path, columns, None if start is None or end is None else (start, end))
     return log if start is None or end is None else replace(log.part(start, end), name=one_line(os.fsdecode(source)))
 
 

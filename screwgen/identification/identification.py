@@ -103,6 +103,30 @@ def shares(names: Sequence[str], readings: np.ndarray, model: np.ndarray) -> dic
     return {name: 1 - left[name] / spread[name] if spread[name] > 0 else float("nan") for name in left}
 
 
+@dataclass(frozen=True)
+class MeasuredVibration:
+    """A vibration that was measured, beside the model."""
+
+    test: str
+    mode: int
+    """Its number among those of the model, from 1."""
+    frequency: float
+    """Hz"""
+    before: float
+    """That of the model of the start, Hz."""
+    found: float
+    damping: float | None
+    damping_before: float
+    damping_found: float
+
+    def line(self) -> str:
+        """The vibration in words."""
+        told = f"{self.test}: {self.frequency:.4g} Hz is mode {self.mode}, {self.before:.4g} -> {self.found:.4g} Hz"
+        if self.damping is None:
+            return told
+        return f"{told}, damping ratio {self.damping:.3g}, {self.damping_before:.3g} -> {self.damping_found:.3g}"
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Identification:
     """What was identified."""
@@ -124,6 +148,8 @@ class Identification:
     """The natural frequencies of the identified robot in its first posture, Hz."""
     tried: Mapping[str, float | int | str] = field(default_factory=dict)
     """How the fit went: iterations, rollouts, seconds, why it stopped."""
+    vibrations: tuple[MeasuredVibration, ...] = ()
+    """Measured vibrations beside the model."""
 
     def __getitem__(self, name: str) -> Estimated:
         for one in self.estimates:
@@ -140,7 +166,7 @@ class Identification:
             f"{one.name}: {one.start:.4g} -> {one.value:.4g} {one.unit}".rstrip() + f"  ({one.interval})"
             for one in self.estimates
         ]
-        lines += [log.line() for log in self.explained]
+        lines += [log.line() for log in self.explained] + [one.line() for one in self.vibrations]
         if notes:
             lines += [f"undetermined: {line}" for line in self.undetermined]
             lines += [f"note: {line}" for line in self.notes]
@@ -159,6 +185,7 @@ class Identification:
             "undetermined": list(self.undetermined),
             "notes": list(self.notes),
             "whiteness": dict(self.whiteness),
+            "vibrations": [asdict(one) for one in self.vibrations],
             "frequencies": list(self.frequencies),
             "fit": dict(self.tried),
         }

@@ -14,6 +14,7 @@ from ..arguments import seconds, whole
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.columns import Column, Columns
+from ..spec.vibrations import Vibrations, VibrationTest
 from . import odd
 from .beside import cases_of, explained, how_of, vector
 from .file_numbers import file_numbers
@@ -25,22 +26,26 @@ from .sources import Source, columns_of, log_of, several, some, varying
 from .suspected import check_steps, frequencies, of_gains
 from .uncertainty import LOST, Uncertainty, uncertainty
 from .unknowns import INPUT, SENSOR, Unknowns, unknowns_of_logs
+from .vibration_tests import TestedVibrations, tested, tests_of
 from .words import direction_in_words
 
 SHORTER, OFF = (10.0, 3.0, 1.0), 0.3
 """How many times shorter windows are, one after the other, where the first fit leaves more than this share of the
 variation of a sensor: over a second a fast vibration with wrong numbers may be a period off."""
+NOTHING = Columns.model_construct(columns=())
+"""The columns where there is no log."""
 ROUNDS = 2
 """How often windows are begun anew, from readings that identified numbers of sensors make right."""
 
 
 def identify(
     model: RobotModel,
-    logs: Source | Sequence[Source],
+    logs: Source | Sequence[Source] = (),
     *,
     free: str | Sequence[str],
     sensors: str | os.PathLike[str] | Columns | None = None,
     held_out: Source | Sequence[Source] = (),
+    vibrations: str | os.PathLike[str] | Vibrations | None = None,
     window: float = 1.0,
     integrator: str = "modal_midpoint",
     substeps: int = 1,
@@ -59,7 +64,8 @@ def identify(
     `robot_file` that the model was loaded from, also numbers of the file that give several parameters, as
     ``arm.profile.E``. `sensors`: a TOML table of what columns are, or :class:`.Columns`; without it columns are named
     as in runs; with ``static = true`` rows are the robot at rest, and ``shapes.csv@0:10`` are the first ten.
-    `held_out`: logs that are not fitted but compared.
+    `held_out`: logs that are not fitted but compared. `vibrations`: a TOML table of measured natural frequencies and
+    damping ratios, or :class:`.Vibrations`, beside logs or alone.
 
     The logs are cut into windows of about `window` seconds, which begin near smoothed readings. `integrator` and
     `substeps` as :func:`screwgen.rollout` has them, by the step of the log. `robust`: outliers count by their size.
@@ -67,10 +73,11 @@ def identify(
     Raises UsageError, a line that says what is wrong with a log, a name or a start.
     """
     began = perf_counter()
-    sources, others = some(logs), several(held_out)
+    hammered = tests_of(vibrations)
+    sources, others = several(logs) if hammered[1] else some(logs), several(held_out)
     how = how_of(integrator, substeps, threads)
     whole(iterations, "iterations", 1)
-    columns = columns_of(model, sensors, sources[0])
+    columns = columns_of(model, sensors, sources[0]) if sources else NOTHING
     read, compared = ([log_of(x, columns) for x in some] for some in (sources, others))
     if sensors is None:
         columns = varying(columns, read)
@@ -82,8 +89,8 @@ def identify(
     asked = unknowns_of_logs(model, columns, free, read, file)
     start = [cases_of(model, log, columns, window, model.chain.parameters.values) for log in read]
     suspected = of_gains(model, start, how)
-    fit, at = NumberSearch(model, read, columns, asked, window, robust, iterations, how, progress).best()
-    values = asked.values(at.sought)
+    fit, at = NumberSearch(model, read, hammered, columns, asked, window, robust, iterations, how, progress).best()
+    values, sampled = asked.values(at.sought), [column.name for column in columns.sensors]
     known = uncertainty(fit, at)
     own, p = with_numbers(columns, asked, values), vector(model, asked, values)
     beside = [
@@ -92,10 +99,10 @@ def identify(
     ]
     told = (
         suspected
-        + odd.of_inputs(model, columns)
+        + (odd.of_inputs(model, columns) if read else [])
         + [line for log in (*read, *compared) for line in faults(log, columns)]
     )
-    white = {} if columns.static else odd.whiteness(fit, at)
+    white = {name: x for name, x in odd.whiteness(fit, at).items() if name in sampled and not columns.static}
     told += (
         odd.of_fit(fit, at)
         + odd.of_whiteness(white)
@@ -105,7 +112,7 @@ def identify(
     )
     posture = fit.problem.groups[0].posture
     found = frequencies(model, p, posture)
-    if not columns.static:
+    if read and not columns.static:
         told += odd.of_filters(model, columns, asked, p, min(found, default=0.0))
         told += odd.of_repetition(read, compared, columns)
     tried: dict[str, float | int | str] = {
@@ -126,6 +133,12 @@ def identify(
         white,
         found,
         tried,
+        tuple(
+            vibration
+            for group in fit.problem.groups
+            if isinstance(group, TestedVibrations)
+            for vibration in group.beside(model.chain.parameters.values, p)
+        ),
     )
 
 
@@ -138,6 +151,7 @@ class NumberSearch:
 
     model: RobotModel
     logs: Sequence[Log]
+    hammered: tuple[str, tuple[VibrationTest, ...]]
     columns: Columns
     asked: Unknowns
     window: float
@@ -150,7 +164,7 @@ class NumberSearch:
         """The fit and its estimate; where it explains little, that to which shorter windows lead if it is better."""
         start = np.zeros(len(self.asked))
         first = self.begun_anew(self.window, start)
-        if self.columns.static or first[0].worst(first[1]) < OFF or first[1].stopped == INTERRUPTED:
+        if not self.logs or self.columns.static or first[0].worst(first[1]) < OFF or first[1].stopped == INTERRUPTED:
             return first
         sought, history = start, first[1].history
         try:
@@ -171,6 +185,7 @@ class NumberSearch:
             values = asked.values(sought)
             own, p = with_numbers(self.columns, asked, values), vector(model, asked, values)
             before, groups = groups, [cases_of(model, log, own, window, p) for log in self.logs]
+            groups += tested(model, *self.hammered, p)
             if before and all(x.near(y) for x, y in zip(groups, before, strict=True)):
                 break
             problem = Problem(model, groups, asked, self.how)

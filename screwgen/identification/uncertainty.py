@@ -62,6 +62,8 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
     directions = lost_directions(A + known, B + known)
     covariance = inverse @ (B + known) @ inverse
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    if np.isfinite(fit.stated).all():  # as many readings as numbers leave no residual, and yet have their noise
+        deviation = np.maximum(deviation, np.sqrt(np.diag(inverse)))
     for direction, size in directions:
         lost = np.abs(direction) >= NAMED
         deviation[lost] = np.maximum(deviation[lost], size * np.abs(direction[lost]))

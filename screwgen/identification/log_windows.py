@@ -19,7 +19,7 @@ from .problem import STEP, MeasuredCases, Problem
 from .sensing import Start, readings
 from .signals import Signals
 from .unknowns import input_numbers, parameter_rows, sensor_numbers
-from .windows import Experiment, StartState, starts
+from .windows import Experiment, StartState, change_between, changed, starts
 
 STATE_STEP = 1e-4
 """The step of differences with states, in their deviations."""
@@ -38,7 +38,7 @@ class Windows:
 
     @cached_property
     def states(self) -> np.ndarray:
-        """The entries of [q; v] in which a motion may begin otherwise."""
+        """The changes of the state with which a motion may begin otherwise."""
         return np.flatnonzero(np.max([one.deviation for one in self.begin], axis=0) > 0)
 
     @cached_property
@@ -85,14 +85,15 @@ class Windows:
         """Whether windows begin where others do, within deviations."""
         assert isinstance(other, Windows)
         pairs = zip(self.begin, other.begin, strict=True)
-        return all((np.abs(a.x - b.x) <= b.deviation).all() for a, b in pairs)
+        chain = self.experiment.model.chain
+        return all((np.abs(change_between(chain, b.x, a.x)) <= b.deviation).all() for a, b in pairs)
 
     def x0(self, window: np.ndarray, shift: np.ndarray) -> np.ndarray:
         """The states (lanes, nq + nvz) in which lanes begin, `shift` (lanes, states) in deviations of these."""
         x, deviation = np.array([b.x for b in self.begin]), np.array([b.deviation for b in self.begin])
-        out = x[window].copy()
-        out[:, self.states] += shift * deviation[window][:, self.states]
-        return out
+        change = np.zeros((len(window), deviation.shape[1]))
+        change[:, self.states] = shift * deviation[window][:, self.states]
+        return changed(self.experiment.model.chain, x[window], change)
 
     def differences(self, problem: Problem, window: np.ndarray, sought: np.ndarray, shift: np.ndarray) -> np.ndarray:
         """Readings less what the model reads (lanes, samples, sensors), of lanes of windows; NaN where there is none.

@@ -13,7 +13,7 @@ from ..robot_model import RobotModel
 from ..runtime.differentiated import NO_METHOD
 from ..spec.columns import Columns
 from .identification import Explained
-from .log_windows import windows_of
+from .log_windows import Windows, windows_of
 from .logs import Log, checked
 from .problem import MeasuredCases, MotionMethod, Problem
 from .signals import Signals
@@ -58,6 +58,11 @@ def cases_of(model: RobotModel, log: Log, columns: Columns, window: float, p: np
     """The cases of a log: its shapes, or windows whose starts follow from its readings at parameters (n,)."""
     if columns.static:
         return shapes_of(model, log, columns)
+    return windows_of_log(model, log, columns, window, p)
+
+
+def windows_of_log(model: RobotModel, log: Log, columns: Columns, window: float, p: np.ndarray) -> Windows:
+    """The windows of a log, whose starts follow from its readings at parameters (n,)."""
     return windows_of(_experiment(model, log, columns, window), Signals(model, columns.sensors), window, p)
 
 

@@ -34,11 +34,12 @@ ROBOTS = {
 SENSORS = {
     "crane": (
         "cylinder_length tendon_length strain strain@boom.lug gyro@boom.lug accelerometer@boom.lug marker_range "
-        "marker_position@hand.tip marker_velocity@hand.tip marker_attitude@boom.lug marker_range@hand.tip acceleration"
+        "marker_position@hand.tip marker_velocity@hand.tip marker_attitude@boom.lug marker_range@hand.tip acceleration "
+        "point_position@hand.tip"
     ).split(),
     "free": (
         "gyro@fore.lug accelerometer@arm.tip marker_position@fore.tip marker_velocity@fore.lug"
-        " marker_attitude@fore.lug marker_range@fore.lug"
+        " marker_attitude@fore.lug marker_range@fore.lug point_position@fore.lug"
     ).split(),
 }
 
@@ -72,6 +73,9 @@ def value(robot, name, q, v, tau, w_ext) -> np.ndarray:
         return f.accelerometer(q, v, tau, w_ext)[at]
     if kind == "marker_range":  # every number that a sensor has is 0.02
         return np.linalg.norm(np.atleast_2d(f.marker_pose(q)[1][at]) - 0.02, axis=1)
+    if kind == "point_position":
+        R, r = f.marker_pose(q)
+        return r[at] + R[at] @ np.full(3, 0.02)
     if kind.startswith("marker"):
         return f.marker_pose(q)[kind == "marker_position"][at]
     return getattr(f, kind)(q)

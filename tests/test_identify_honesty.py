@@ -108,7 +108,7 @@ WRONG = {
     "row 11: motor is nan; an input must be known": lambda x: with_column(x, "motor", put(10, np.nan)),
     "gauge lacks 301 of 501 readings": lambda x: with_column(x, "gauge", put(slice(200, None), np.nan)),
     "gauge is 3 throughout and says nothing": lambda x: with_column(x, "gauge", put(slice(None), 3.0)),
-    "has no column 'gauge'; it has angle, motor": without_gauge,
+    "has no column 'gauge'; it has angle, motor; wanted are motor, angle, gauge": without_gauge,
     "has 10 rows; 20 at least are needed": lambda x: Log(x.name, x.t[:10], {k: y[:10] for k, y in x.columns.items()}),
 }
 
@@ -139,8 +139,44 @@ def test_a_log_that_is_odd_is_used_and_it_is_said(log, fault):
 def test_a_file_without_a_column_is_named(tmp_path):
     path = tmp_path / "log.csv"
     path.write_text("t,angle\n0,1\n")
-    with pytest.raises(UsageError, match=r"log.csv: has no column 'motor'; it has t, angle"):
+    with pytest.raises(UsageError) as caught:
         screwgen.identify(pendulum(), path, free=["rod.EIz"], sensors=SENSORS)
+    said = "log.csv: has no column 'motor'; it has t, angle; wanted are t, motor, angle, gauge: name them so"
+    assert said in str(caught.value)
+
+
+@pytest.mark.parametrize("factor", [57.2958, 1e-3])
+def test_an_input_in_another_unit_is_suspected(log, factor):
+    """Also if its gain is free, and where what is free could make good for it."""
+    other = with_column(log, "motor", lambda y: factor * y)
+    notes = screwgen.identify(pendulum(), other, free=["*.coulomb"], sensors=SENSORS, window=0.5, iterations=2).notes
+    (note,) = (x for x in notes if "motor" in x)
+    assert note.startswith(f"swing.csv: {1 / factor:.3g} times motor explains the readings much better")
+    free = screwgen.identify(pendulum(), log, free=["motor.gain"], sensors=SENSORS, window=0.5).notes
+    assert not any("motor" in x for x in free)
+
+
+def test_times_in_milliseconds_are_suspected(log):
+    """Samples would be further apart than the arm vibrates."""
+    with pytest.raises(UsageError, match=r"swing.csv: samples are 2 s apart, and the slowest .*: are times in ms\?"):
+        screwgen.identify(pendulum(), replace(log, t=1e3 * log.t), free=["rod.EIz"], sensors=SENSORS)
+
+
+def test_a_long_log_is_read_in_part(log, tmp_path, monkeypatch):
+    """Rows are read in pieces, so that a file may be larger than what it says of a part."""
+    from screwgen.identification import logs
+
+    path = tmp_path / "long.csv"
+    table = np.column_stack([log.t, *log.columns.values()])
+    np.savetxt(path, table, "%.9g", ",", header=",".join(["t", *log.columns]), comments="")
+    monkeypatch.setattr(logs, "CHUNK", 50)
+    whole, part = (logs.read_log(path, SENSORS, span) for span in (None, (0.2, 0.4)))
+    assert len(whole) == len(log) and whole.columns["gauge"] == pytest.approx(log.columns["gauge"], rel=1e-8)
+    assert part.part(0.2, 0.4).t == pytest.approx(log.part(0.2, 0.4).t) and len(part) < 110
+    monkeypatch.setattr(logs, "MOST_ROWS", 300)
+    with pytest.raises(UsageError, match=r"long.csv: has more than 300 rows, .* name a part, as .*long.csv@0:10"):
+        screwgen.identify(pendulum(), path, free=["rod.EIz"], sensors=SENSORS)
+    assert len(logs.read_log(path, SENSORS, (0.2, 0.4))) == len(part)
 
 
 def test_a_model_that_lacks_the_friction_of_the_data_is_not_trusted(log):

@@ -12,6 +12,7 @@ from ..ir.program import Value
 from ..spec.parameters import coordinate_names
 from ..topology.chain import Chain
 from ..topology.joint_coordinates import JointPlace
+from . import matrices as mx
 from . import sensors
 from .functions import Functions
 from .gauges import Gauge, curvatures, gauges
@@ -136,7 +137,20 @@ def _distances(f: Functions, q: Sequence, beacon: Sequence) -> list[Value]:
     return [root(sum(x * x for x in apart[k : k + 3])) for k in range(0, len(apart), 3)]
 
 
+def _points(f: Functions, q: Sequence, lever: Sequence) -> list[Value]:
+    """Of every marker the point at its own lever from it."""
+    R, r = (mx.array(x) for x in f.marker_poses(q))
+    each = zip(r.reshape(-1, 3), R.reshape(-1, 3, 3), mx.array(lever).reshape(-1, 3), strict=True)
+    return [x for place, turn, own in each for x in place + mx.multiply(turn, own)]
+
+
 AXES = _labels(XYZ)
+LEVER = SensorNumber(
+    "point_position_lever",
+    lambda chain: 3 * len(chain.markers),
+    "m: from the marker to the point, in its axes",
+    role="lever",
+)
 BEACON = SensorNumber(
     "marker_range_beacon", lambda chain: 3 * len(chain.markers), "m: a fixed point of the inertial frame", role="beacon"
 )
@@ -150,6 +164,16 @@ AT_MARKERS: tuple[Measurement, ...] = (
     ),
     Measurement(
         "marker_position", "q", lambda f, q: f.marker_poses(q)[1], AXES, "m", "in the inertial frame", (PLACED,)
+    ),
+    Measurement(
+        "point_position",
+        "q",
+        _points,
+        AXES,
+        "m",
+        "in the inertial frame, of a point beside the marker that turns with it",
+        (PLACED,),
+        numbers=(LEVER,),
     ),
     Measurement(
         "marker_velocity",

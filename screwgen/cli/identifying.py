@@ -18,18 +18,19 @@ def register(app: typer.Typer, epilog: str) -> None:
 def identify(
     context: typer.Context,
     robot: Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML: where the search starts.")],
-    logs: Annotated[
-        list[str], typer.Argument(metavar="LOG...", help="Logs, CSV or npz; log.csv@0:10 is a part, in seconds.")
-    ],
     output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="The identified robot file, .toml.")],
     free: Annotated[
         list[str],
         typer.Option(
             metavar="PATTERN",
             help="What is free, as arm.EIz or gauge.offset, * is any text; 'arm.EIz = 2 ± 0.3' is a prior, "
-            "'arm.EIz in 1..3' has bounds; may be given again.",
+            "'arm.EIz in 1..3' has bounds, '*.profile.E together' is one number; may be given again.",
         ),
     ],
+    logs: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="LOG...", help="Logs, CSV or npz; log.csv@0:10 is a part, in seconds, or in rows."),
+    ] = None,
     sensors: Annotated[
         str | None, typer.Option(metavar="FILE", help="What the columns are, TOML. Without: named as in runs.")
     ] = None,
@@ -38,6 +39,9 @@ def identify(
     ] = None,
     check: Annotated[
         list[str] | None, typer.Option(metavar="LOG", help="A log that is held out; may be given again.")
+    ] = None,
+    vibrations: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Measured natural frequencies and damping ratios, TOML.")
     ] = None,
     report: Annotated[
         str | None, typer.Option(metavar="FILE", help="Also a report, .html, and its numbers beside it, .json.")
@@ -54,6 +58,7 @@ def identify(
     """Identify numbers of a robot, its sensors and inputs from logs, and write its file anew with them: comments stay,
     intervals stand behind the numbers. What is odd of logs and fit is said on stderr. Ctrl-C keeps the best so far.
     """
+    from ..identification.file_numbers import file_numbers
     from ..identification.identify import identify as identified
     from ..identification.robot_text import check_stated
     from ..identification.unknowns import free_parameters
@@ -69,11 +74,17 @@ def identify(
         check_output(report, (".html",))
     quiet = quiet or context.obj
     model = derive(load_robot(robot, quiet))
-    check_stated(robot, free_parameters(model, free))
+    check_stated(robot, free_parameters(model, free, file_numbers(robot, model)))
     more: dict[str, Any] = {"sensors": sensors, "held_out": check or (), "window": window, "substeps": substeps}
-    more |= {"integrator": integrator, "robust": robust, "iterations": iterations}
+    more |= {
+        "vibrations": vibrations,
+        "robot_file": robot,
+        "integrator": integrator,
+        "robust": robust,
+        "iterations": iterations,
+    }
     with told("identifying", quiet) as progress:
-        found = identified(model, logs, free=free, progress=progress, **more)
+        found = identified(model, logs or (), free=free, progress=progress, **more)
     texts = {output: found.robot_text(robot)}
     if sensors_output is not None:
         texts[sensors_output] = found.sensors_text()

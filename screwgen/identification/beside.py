@@ -13,13 +13,15 @@ from ..robot_model import RobotModel
 from ..runtime.differentiated import NO_METHOD
 from ..spec.columns import Columns
 from .identification import Explained
+from .log_windows import Windows, windows_of
 from .logs import Log, checked
-from .problem import MotionMethod, Problem, Windows, windows_of
+from .problem import MeasuredCases, MotionMethod, Problem
 from .signals import Signals
 from .smoothing import LEAST, SHARE
 from .solve import Fit
 from .sources import Source, columns_of, log_of, some
-from .unknowns import Unknowns
+from .static_shapes import beside_rest, shapes_of
+from .unknowns import Unknowns, parameter_rows
 from .windows import Experiment
 
 
@@ -52,6 +54,13 @@ def _experiment(model: RobotModel, log: Log, columns: Columns, window: float) ->
     return Experiment(model, log, columns, max(LEAST, round(SHARE * min(window, log.t[-1] - log.t[0]) / log.step)))
 
 
+def cases_of(model: RobotModel, log: Log, columns: Columns, window: float, p: np.ndarray) -> MeasuredCases:
+    """The cases of a log: its shapes, or windows whose starts follow from its readings at parameters (n,)."""
+    if columns.static:
+        return shapes_of(model, log, columns)
+    return windows_of_log(model, log, columns, window, p)
+
+
 def windows_of_log(model: RobotModel, log: Log, columns: Columns, window: float, p: np.ndarray) -> Windows:
     """The windows of a log, whose starts follow from its readings at parameters (n,)."""
     return windows_of(_experiment(model, log, columns, window), Signals(model, columns.sensors), window, p)
@@ -59,11 +68,7 @@ def windows_of_log(model: RobotModel, log: Log, columns: Columns, window: float,
 
 def vector(model: RobotModel, asked: Unknowns, values: np.ndarray) -> np.ndarray:
     """All parameters (n,) with the identified ones (k,) in place."""
-    out = model.chain.parameters.values.copy()
-    for one, x in zip(asked, values, strict=True):
-        if one.place >= 0:
-            out[one.place] = x
-    return out
+    return parameter_rows(model, asked, values[None])[0]
 
 
 def explained(
@@ -81,18 +86,20 @@ def explained(
     The run begins as the first window does.
     """
     p, (window, robust) = vector(model, asked, asked.values(sought)), settings
+    if own.static:
+        return beside_rest(model, log, own, asked, sought, how, held_out)
     experiment, signals = _experiment(model, log, own, window), Signals(model, own.sensors)
     cut, run = (windows_of(experiment, signals, x, p) for x in (window, log.t[-1] - log.t[0]))
-    unstated = np.full(len(experiment.compared), np.nan)
-    found = Fit(Problem(model, [cut], asked, how, fixed=True), unstated, robust).begun(sought)
+    found = Fit(Problem(model, [cut], asked, how, fixed=True), robust).begun(sought)
     problem = Problem(model, [run], asked, how)
     both = np.vstack([sought, np.zeros_like(sought)])
     begun = np.tile(found.shift[0][0] * cut.begin[0].deviation[cut.states] / run.begin[0].deviation[run.states], (2, 1))
-    whole, before = problem.differences(run, np.zeros(2, int), both, begun)
+    whole, before = run.differences(problem, np.zeros(2, int), both, begun)
     readings = run.compared[0]
     windows = np.full_like(readings, np.nan)
     for first, part in zip(cut.first, found.differences[0], strict=True):
         windows[first : first + cut.size] = readings[first : first + cut.size] - part
-    names = tuple(own.sensors[k].name for k in run.experiment.compared)
     t = log.t[: len(readings)]
-    return Explained(log.name, held_out, t, names, readings, readings - whole, readings - before, windows, cut.first)
+    return Explained(
+        log.name, held_out, t, tuple(run.names), readings, readings - whole, readings - before, windows, cut.first
+    )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 
 import numpy as np
@@ -34,6 +34,8 @@ class Estimated:
     """Whether the data determine it."""
     bound: str = ""
     """``low`` or ``high`` where it ended at a bound."""
+    members: tuple[str, ...] = ()
+    """The names of all that are this number."""
 
     @property
     def interval(self) -> str:
@@ -65,10 +67,23 @@ class Explained:
     windows: np.ndarray
     first: np.ndarray
     """The first samples of the windows."""
+    quantities: tuple[str, ...] = ()
+    """Of each sensor what it is one of, where several make a quantity, as the coordinates of points."""
+    static: bool = False
+    """Whether rows are shapes at rest; then `windows` is `whole`, the model's rest."""
+    distance: float | None = None
+    """m: how far measured points are from those of the model, on average."""
 
     def share(self, of: str) -> dict[str, float]:
-        """The share of variance that ``windows``, ``whole`` or ``before`` explains of each sensor."""
-        return dict(zip(self.sensors, shares(self.readings, getattr(self, of)), strict=True))
+        """The share of variance that ``windows``, ``whole`` or ``before`` explains of each sensor or quantity."""
+        return shares(self.quantities or self.sensors, self.readings, getattr(self, of))
+
+    def line(self) -> str:
+        """How much the model explains, in words."""
+        told = ", ".join(f"{name} {100 * x:.1f} %" for name, x in self.share("whole").items())
+        kind, how = "held out" if self.held_out else "fitted", "at rest" if self.static else "in one run"
+        points = "" if self.distance is None else f"; points are {1e3 * self.distance:.2f} mm off on average"
+        return f"{self.log} ({kind}), variance explained {how}: {told}{points}"
 
     def picture(self) -> bytes:
         """Measured against model, and what is left, as PNG."""
@@ -77,14 +92,39 @@ class Explained:
         return against_model(self, f"{self.log}, {'held out' if self.held_out else 'fitted'}")
 
 
-def shares(readings: np.ndarray, model: np.ndarray) -> list[float]:
-    """1 less the mean square of the difference over the variance, of each column; NaN are left out."""
-    out = []
-    for y, z in zip(readings.T, model.T, strict=True):
+def shares(names: Sequence[str], readings: np.ndarray, model: np.ndarray) -> dict[str, float]:
+    """1 less the mean square of the difference over the variance, of columns of each name; NaN are left out."""
+    left, spread = dict.fromkeys(names, 0.0), dict.fromkeys(names, 0.0)
+    for name, y, z in zip(names, readings.T, model.T, strict=True):
         there = np.isfinite(y) & np.isfinite(z)
-        spread = np.sum((y[there] - y[there].mean()) ** 2) if there.any() else 0.0
-        out.append(float(1 - np.sum((y[there] - z[there]) ** 2) / spread) if spread > 0 else float("nan"))
-    return out
+        if there.any():
+            left[name] += float(np.sum((y[there] - z[there]) ** 2))
+            spread[name] += float(np.sum((y[there] - y[there].mean()) ** 2))
+    return {name: 1 - left[name] / spread[name] if spread[name] > 0 else float("nan") for name in left}
+
+
+@dataclass(frozen=True)
+class MeasuredVibration:
+    """A vibration that was measured, beside the model."""
+
+    test: str
+    mode: int
+    """Its number among those of the model, from 1."""
+    frequency: float
+    """Hz"""
+    before: float
+    """That of the model of the start, Hz."""
+    found: float
+    damping: float | None
+    damping_before: float
+    damping_found: float
+
+    def line(self) -> str:
+        """The vibration in words."""
+        told = f"{self.test}: {self.frequency:.4g} Hz is mode {self.mode}, {self.before:.4g} -> {self.found:.4g} Hz"
+        if self.damping is None:
+            return told
+        return f"{told}, damping ratio {self.damping:.3g}, {self.damping_before:.3g} -> {self.damping_found:.3g}"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -108,6 +148,8 @@ class Identification:
     """The natural frequencies of the identified robot in its first posture, Hz."""
     tried: Mapping[str, float | int | str] = field(default_factory=dict)
     """How the fit went: iterations, rollouts, seconds, why it stopped."""
+    vibrations: tuple[MeasuredVibration, ...] = ()
+    """Measured vibrations beside the model."""
 
     def __getitem__(self, name: str) -> Estimated:
         for one in self.estimates:
@@ -124,10 +166,7 @@ class Identification:
             f"{one.name}: {one.start:.4g} -> {one.value:.4g} {one.unit}".rstrip() + f"  ({one.interval})"
             for one in self.estimates
         ]
-        for log in self.explained:
-            kind = "held out" if log.held_out else "fitted"
-            told = ", ".join(f"{name} {100 * x:.1f} %" for name, x in log.share("whole").items())
-            lines.append(f"{log.log} ({kind}), variance explained in one run: {told}")
+        lines += [log.line() for log in self.explained] + [one.line() for one in self.vibrations]
         if notes:
             lines += [f"undetermined: {line}" for line in self.undetermined]
             lines += [f"note: {line}" for line in self.notes]
@@ -139,12 +178,14 @@ class Identification:
             "robot": self.robot,
             "estimates": [asdict(one) for one in self.estimates],
             "explained": [
-                {"log": x.log, "held_out": x.held_out} | {of: x.share(of) for of in ("windows", "whole", "before")}
+                {"log": x.log, "held_out": x.held_out, "distance": x.distance}
+                | {of: x.share(of) for of in ("windows", "whole", "before")}
                 for x in self.explained
             ],
             "undetermined": list(self.undetermined),
             "notes": list(self.notes),
             "whiteness": dict(self.whiteness),
+            "vibrations": [asdict(one) for one in self.vibrations],
             "frequencies": list(self.frequencies),
             "fit": dict(self.tried),
         }
@@ -168,7 +209,7 @@ class Identification:
     def robot_text(self, robot_file: str | os.PathLike[str]) -> str:
         """The text of a robot file with the identified parameters in it, intervals as comments, all else as it is."""
         file = one_line(os.fsdecode(robot_file))
-        own = {one.name: one for one in self.estimates if one.kind == "parameter"}
+        own = {name: one for one in self.estimates if one.kind == "parameter" for name in one.members}
         doubt = "" if self.explains else "; not to be trusted: the model does not explain the log"
         notes = {name: (one.interval if one.determined else "undetermined") + doubt for name, one in own.items()}
         text = decode(read(robot_file, file), file)
@@ -179,6 +220,7 @@ class Identification:
 def columns_text(columns: Columns) -> str:
     """A table of columns as TOML."""
     lines = [] if columns.time == TIME else [f"time = {json.dumps(columns.time)}", ""]
+    lines += ["static = true", ""] if columns.static else []
     for column in columns.columns:
         stated = column.model_dump(exclude_defaults=True)
         lines += ["[[columns]]", *(f"{key} = {_toml(value)}" for key, value in stated.items()), ""]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from time import perf_counter
@@ -12,41 +11,48 @@ from typing import Any
 import numpy as np
 
 from ..arguments import seconds, whole
-from ..errors import ScrewgenError, UsageError
+from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.columns import Column, Columns
-from ..studies.modes import natural_frequencies
+from ..spec.vibrations import Vibrations, VibrationTest
 from . import odd
-from .beside import explained, how_of, vector, windows_of_log
+from .beside import cases_of, explained, how_of, vector
+from .file_numbers import file_numbers
 from .identification import Estimated, Identification
 from .logs import Log, checked, faults
-from .problem import MotionMethod, Problem, Windows
+from .problem import MeasuredCases, MotionMethod, Problem
 from .solve import INTERRUPTED, Estimate, Fit
 from .sources import Source, columns_of, log_of, several, some, varying
+from .suspected import check_steps, frequencies, of_gains
 from .uncertainty import LOST, Uncertainty, uncertainty
 from .unknowns import INPUT, SENSOR, Unknowns, unknowns_of_logs
+from .vibration_tests import TestedVibrations, tested, tests_of
 from .words import direction_in_words
 
 SHORTER, OFF = (10.0, 3.0, 1.0), 0.3
 """How many times shorter windows are, one after the other, where the first fit leaves more than this share of the
 variation of a sensor: over a second a fast vibration with wrong numbers may be a period off."""
+NOTHING = Columns.model_construct(columns=())
+"""The columns where there is no log."""
 ROUNDS = 2
 """How often windows are begun anew, from readings that identified numbers of sensors make right."""
 
 
 def identify(
     model: RobotModel,
-    logs: Source | Sequence[Source],
+    logs: Source | Sequence[Source] = (),
     *,
     free: str | Sequence[str],
     sensors: str | os.PathLike[str] | Columns | None = None,
     held_out: Source | Sequence[Source] = (),
+    vibrations: str | os.PathLike[str] | Vibrations | None = None,
     window: float = 1.0,
     integrator: str = "modal_midpoint",
     substeps: int = 1,
     robust: bool = False,
     iterations: int = 40,
     threads: int = 1,
+    robot_file: str | os.PathLike[str] | None = None,
     progress: Callable[[str], None] | None = None,
 ) -> Identification:
     """Identify numbers of a robot, its sensors and its inputs from logs.
@@ -54,8 +60,12 @@ def identify(
     `logs`: CSV or npz files, ``log.csv@0:10`` for a part in seconds, runs of :func:`screwgen.simulate`, or
     :class:`.logs.Log`. `free`: names, or patterns in which ``*`` is any text: of parameters as ``arm.EIz``, of columns
     as ``gauge.offset``, ``scale``, ``delay``, ``cutoff``, of inputs ``current.gain``, ``bias``; ``"arm.EIz = 2 ± 0.3"``
-    states a prior, ``"arm.EIz in 1..3"`` bounds. `sensors`: a TOML table of what columns are, or :class:`.Columns`;
-    without it columns are named as in runs. `held_out`: logs that are not fitted but compared.
+    states a prior, ``"arm.EIz in 1..3"`` bounds; ``"*.EIz together"`` is one number in place of equal ones. With the
+    `robot_file` that the model was loaded from, also numbers of the file that give several parameters, as
+    ``arm.profile.E``. `sensors`: a TOML table of what columns are, or :class:`.Columns`; without it columns are named
+    as in runs; with ``static = true`` rows are the robot at rest, and ``shapes.csv@0:10`` are the first ten.
+    `held_out`: logs that are not fitted but compared. `vibrations`: a TOML table of measured natural frequencies and
+    damping ratios, or :class:`.Vibrations`, beside logs or alone.
 
     The logs are cut into windows of about `window` seconds, which begin near smoothed readings. `integrator` and
     `substeps` as :func:`screwgen.rollout` has them, by the step of the log. `robust`: outliers count by their size.
@@ -63,27 +73,36 @@ def identify(
     Raises UsageError, a line that says what is wrong with a log, a name or a start.
     """
     began = perf_counter()
-    sources, others = some(logs), several(held_out)
+    hammered = tests_of(vibrations)
+    sources, others = several(logs) if hammered[1] else some(logs), several(held_out)
     how = how_of(integrator, substeps, threads)
     whole(iterations, "iterations", 1)
-    columns = columns_of(model, sensors, sources[0])
+    columns = columns_of(model, sensors, sources[0]) if sources else NOTHING
     read, compared = ([log_of(x, columns) for x in some] for some in (sources, others))
     if sensors is None:
         columns = varying(columns, read)
     for log in (*read, *compared):
         checked(log, columns)
     window = seconds(window, "window")
-    asked = unknowns_of_logs(model, columns, free, read)
-    fit, at = NumberSearch(model, read, columns, asked, window, robust, iterations, how, progress).best()
-    values = asked.values(at.sought)
+    check_steps(model, (*read, *compared))
+    file = None if robot_file is None else file_numbers(robot_file, model)
+    asked = unknowns_of_logs(model, columns, free, read, file)
+    start = [cases_of(model, log, columns, window, model.chain.parameters.values) for log in read]
+    suspected = of_gains(model, start, how)
+    fit, at = NumberSearch(model, read, hammered, columns, asked, window, robust, iterations, how, progress).best()
+    values, sampled = asked.values(at.sought), [column.name for column in columns.sensors]
     known = uncertainty(fit, at)
     own, p = with_numbers(columns, asked, values), vector(model, asked, values)
     beside = [
         explained(model, log, own, asked, at.sought, how, (window, robust), k >= len(read))
         for k, log in enumerate([*read, *compared])
     ]
-    told = odd.of_inputs(model, columns) + [line for log in (*read, *compared) for line in faults(log, columns)]
-    white = odd.whiteness(fit, at)
+    told = (
+        suspected
+        + (odd.of_inputs(model, columns) if read else [])
+        + [line for log in (*read, *compared) for line in faults(log, columns)]
+    )
+    white = {name: x for name, x in odd.whiteness(fit, at).items() if name in sampled and not columns.static}
     told += (
         odd.of_fit(fit, at)
         + odd.of_whiteness(white)
@@ -91,10 +110,11 @@ def identify(
         + odd.of_bounds(asked, at, fit)
         + odd.of_units(beside)
     )
-    posture = fit.problem.groups[0].begin[0].x[: model.nq]
-    frequencies = _frequencies(model, p, posture)
-    told += odd.of_filters(model, columns, asked, p, min(frequencies, default=0.0))
-    told += odd.of_repetition(read, compared, columns)
+    posture = fit.problem.groups[0].posture
+    found = frequencies(model, p, posture)
+    if read and not columns.static:
+        told += odd.of_filters(model, columns, asked, p, min(found, default=0.0))
+        told += odd.of_repetition(read, compared, columns)
     tried: dict[str, float | int | str] = {
         "iterations": len(at.history),
         "rollouts": fit.problem.rollouts,
@@ -105,14 +125,20 @@ def identify(
     return Identification(
         model.robot.name,
         tuple(_estimated(asked, at, known, fit)),
-        {one.name: float(x) for one, x in zip(asked, values, strict=True) if one.place >= 0},
+        _parameters(model, asked, p),
         own,
         tuple(beside),
         tuple(direction_in_words(asked, *direction) for direction in known.directions),
         tuple(told),
         white,
-        frequencies,
+        found,
         tried,
+        tuple(
+            vibration
+            for group in fit.problem.groups
+            if isinstance(group, TestedVibrations)
+            for vibration in group.beside(model.chain.parameters.values, p)
+        ),
     )
 
 
@@ -125,6 +151,7 @@ class NumberSearch:
 
     model: RobotModel
     logs: Sequence[Log]
+    hammered: tuple[str, tuple[VibrationTest, ...]]
     columns: Columns
     asked: Unknowns
     window: float
@@ -137,7 +164,7 @@ class NumberSearch:
         """The fit and its estimate; where it explains little, that to which shorter windows lead if it is better."""
         start = np.zeros(len(self.asked))
         first = self.begun_anew(self.window, start)
-        if first[0].worst(first[1]) < OFF or first[1].stopped == INTERRUPTED:
+        if not self.logs or self.columns.static or first[0].worst(first[1]) < OFF or first[1].stopped == INTERRUPTED:
             return first
         sought, history = start, first[1].history
         try:
@@ -153,17 +180,17 @@ class NumberSearch:
     def begun_anew(self, window: float, sought: np.ndarray) -> tuple[Fit, Estimate]:
         """The fit from some numbers on; where numbers of sensors changed, windows begin anew."""
         model, asked = self.model, self.asked
-        noise = np.array([np.nan if c.noise is None else c.noise for c in self.columns.sensors])
-        history, rollouts, groups = list[float](), 0, list[Windows]()
+        history, rollouts, groups = list[float](), 0, list[MeasuredCases]()
         for _ in range(ROUNDS):
             values = asked.values(sought)
             own, p = with_numbers(self.columns, asked, values), vector(model, asked, values)
-            before, groups = groups, [windows_of_log(model, log, own, window, p) for log in self.logs]
+            before, groups = groups, [cases_of(model, log, own, window, p) for log in self.logs]
+            groups += tested(model, *self.hammered, p)
             if before and all(x.near(y) for x, y in zip(groups, before, strict=True)):
                 break
             problem = Problem(model, groups, asked, self.how)
             problem.rollouts = rollouts
-            fit = Fit(problem, noise[groups[0].experiment.compared], self.robust, self.progress)
+            fit = Fit(problem, self.robust, self.progress)
             at = fit.run(self.iterations - len(history), sought)
             history += at.history
             sought, rollouts = at.sought, problem.rollouts
@@ -194,14 +221,12 @@ def _with(column: Column, numbers: dict[str, float]) -> Column:
 # ------------------------------------------------------------------------------ the result
 
 
-def _frequencies(model: RobotModel, p: np.ndarray, q: np.ndarray) -> tuple[float, ...]:
-    """The natural frequencies at parameters (n,) in a posture, Hz; none where there are none to speak of."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            return tuple(x for x in natural_frequencies(model, q, parameters=p).tolist() if x > 0)
-        except ScrewgenError:  # loads that change with the motion, or a rigid robot
-            return ()
+def _parameters(model: RobotModel, asked: Unknowns, p: np.ndarray) -> dict[str, float]:
+    """The parameters that were free by name, of all parameters (n,) that were found."""
+    places = {place for one in asked for place in one.places}
+    if any(one.of_file for one in asked):
+        places |= set(np.flatnonzero(p != model.chain.parameters.values).tolist())
+    return {model.parameter_names[k]: float(p[k]) for k in sorted(places)}
 
 
 def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit) -> list[Estimated]:
@@ -211,5 +236,7 @@ def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit) -> l
         low, high = sorted(float(one.values(at.sought[k] + sign * wide)) for sign in (-1, 1))
         bound = "low" if at.sought[k] <= fit.low[k] else "high" if at.sought[k] >= fit.high[k] else ""
         sure = bool(known.deviation[k] <= LOST)
-        out.append(Estimated(one.name, one.unit, one.kind, one.value, float(values[k]), low, high, sure, bound))
+        out.append(
+            Estimated(one.name, one.unit, one.kind, one.value, float(values[k]), low, high, sure, bound, one.members)
+        )
     return out

@@ -10,8 +10,9 @@ import numpy as np
 from ..robot_model import RobotModel
 from ..spec.columns import Columns
 from .excited_motions import Motions
+from .log_windows import Windows
 from .logs import Log
-from .problem import MotionMethod, Problem, Windows
+from .problem import MotionMethod, Problem
 from .sensing import Start, numbers_of, readings
 from .signals import Signals
 from .solve import Fit
@@ -32,7 +33,7 @@ class Bench:
     noise: np.ndarray
     """(sensors,): standard deviations, in units of columns."""
     deviation: np.ndarray
-    """(nq + nv,): how well readings say where windows begin."""
+    """(nv + nvz,): how well readings say where windows begin."""
     reach: int
     window: float
     how: MotionMethod
@@ -49,10 +50,10 @@ class Bench:
         x = np.hstack([made.q[lane], made.v[lane]])
         begin = [StartState(x[first], self.deviation) for first, _ in cuts]
         windows = Windows(experiment, self.signals, np.array([first for first, _ in cuts]), cuts[0][1], begin)
-        fit = Fit(Problem(self.model, [windows], self.unknowns, self.how), self.noise, robust=False)
+        fit = Fit(Problem(self.model, [windows], self.unknowns, self.how), robust=False)
         at = fit.start(np.zeros(len(self.unknowns)))
         at.noise = self.noise
-        R = fit.reduced(at, [fit.problem.linearised(windows, at.sought, at.shift[0])]).R
+        R = fit.reduced(at, [windows.linearised(fit.problem, at.sought, at.shift[0])]).R
         return np.asarray(R.T @ R)
 
 

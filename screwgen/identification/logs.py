@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import csv
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 from typing import BinaryIO
 
 import numpy as np
@@ -25,6 +26,10 @@ MOST_TURNED = 12.0
 STAY, SUDDEN, QUANTA = 5, 0.3, 3
 """A sensor is saturated that stays so many samples at an end of its range, and comes there by steps that are more than
 this share of its usual ones, and more than so many of its least ones: an encoder that stops comes there by one."""
+NAMED = 12
+"""Columns that are named of a log that lacks one."""
+CHUNK, MOST_ROWS = 50_000, 1_000_000
+"""Rows of a table that are read together, and that a log may have."""
 LEAST = 20
 """Samples that a log must have."""
 
@@ -36,11 +41,13 @@ class Log:
     name: str
     t: np.ndarray
     columns: Mapping[str, np.ndarray]
+    static: bool = False
+    """Whether rows are static shapes: `t` counts them from 0, as if one were taken every second."""
 
     @property
     def step(self) -> float:
         """The time between samples, s."""
-        return float((self.t[-1] - self.t[0]) / (len(self.t) - 1))
+        return 1.0 if self.static else float((self.t[-1] - self.t[0]) / (len(self.t) - 1))
 
     def __len__(self) -> int:
         return len(self.t)
@@ -48,8 +55,9 @@ class Log:
     def part(self, start: float, end: float) -> Log:
         """The samples from a time to another, s, the end excluded."""
         chosen = (self.t >= start - self.step / 2) & (self.t < end - self.step / 2)
-        if chosen.sum() < LEAST:
-            raise UsageError(f"{self.name}: has {chosen.sum()} samples from {start:g} to {end:g} s; {LEAST} are needed")
+        least, unit, rows = (1, "", "rows") if self.static else (LEAST, " s", "samples")
+        if (found := chosen.sum()) < least:
+            raise UsageError(f"{self.name}: has {found} {rows} from {start:g} to {end:g}{unit}; {least} are needed")
         return replace(self, t=self.t[chosen], columns={name: x[chosen] for name, x in self.columns.items()})
 
 
@@ -62,27 +70,52 @@ def head_of(path: str | os.PathLike[str]) -> list[str]:
     return [x.strip() for x in next(csv.reader([line.decode("utf-8-sig", "replace")]), [])]
 
 
-def read_log(path: str | os.PathLike[str], columns: Columns) -> Log:
+Span = tuple[float, float]
+"""From when to when a log is used, s, the end excluded."""
+
+
+def read_log(path: str | os.PathLike[str], columns: Columns, span: Span | None = None) -> Log:
     """The log in a file: CSV with a head, or npz with an array for each column, or as `simulate` writes.
+
+    Of a CSV file the rows of a `span` alone are kept.
 
     Raises UsageError, `<file>: <fault>; <remedy>`, where it cannot be read or a column is missing.
     """
     file = one_line(os.fsdecode(path))
-    wanted = [columns.time, *(column.name for column in columns.columns)]
-    found = _npz_columns(path) if suffix(path) == ".npz" else _csv_columns(path, file, wanted)
-    for name in wanted:
-        if name not in found:
-            some = ", ".join(map(one_line, list(found)[:6]))
-            raise UsageError(f"{file}: has no column '{one_line(name)}'; it has {some or 'none'}")
-    return Log(file, found[columns.time], {name: found[name] for name in wanted[1:]})
+    names = [column.name for column in columns.columns]
+    wanted = names if columns.static else [columns.time, *names]
+    if suffix(path) == ".npz":
+        found = _npz_columns(path)
+    else:
+        found = _csv_columns(path, file, wanted, None if columns.static else span)
+    _check_names(file, wanted, found)
+    own = {name: found[name] for name in names}
+    return counted(Log(file, np.zeros(0), own)) if columns.static else Log(file, found[columns.time], own)
+
+
+def _check_names(name: str, wanted: Sequence[str], there: Iterable[str]) -> None:
+    """Refuses a log without a column that is wanted."""
+    there = list(there)
+    for column in wanted:
+        if column not in there:
+            asked, some = (", ".join(map(one_line, names[:NAMED])) for names in (wanted, there))
+            gone = f"has no column '{one_line(column)}'; it has {some or 'none'}"
+            raise UsageError(f"{name}: {gone}; wanted are {asked}: name them so, or state other names with sensors")
+
+
+def counted(log: Log) -> Log:
+    """The rows of a table as static shapes."""
+    return replace(log, t=np.arange(float(max((len(x) for x in log.columns.values()), default=0))), static=True)
 
 
 def checked(log: Log, columns: Columns) -> Log:
     """The log, if its times are even and its columns can be used; raises UsageError."""
-    _check_times(log, columns.time)
+    if not len(log):
+        raise UsageError(f"{log.name}: has no rows; give one at least")
+    if not log.static:
+        _check_times(log, columns.time)
+    _check_names(log.name, [column.name for column in columns.columns], log.columns)
     for column in columns.columns:
-        if column.name not in log.columns:
-            raise UsageError(f"{log.name}: has no column '{column.name}'; it has {', '.join(log.columns)}")
         if len(values := log.columns[column.name]) != len(log):
             raise UsageError(f"{log.name}: {column.name} has {len(values)} entries; it must have {len(log)}, as t")
         (_check_sensor if column.measures else _check_input)(log, column, values)
@@ -112,10 +145,10 @@ def _check_input(log: Log, column: Column, values: np.ndarray) -> None:
 
 def _check_sensor(log: Log, column: Column, values: np.ndarray) -> None:
     there = values[np.isfinite(values)]
-    if len(there) < (1 - GAPS) * len(values):
+    if len(there) < max(1, (1 - GAPS) * len(values)):
         missing = f"{len(values) - len(there)} of {len(values)} readings"
         raise UsageError(f"{log.name}: {column.name} lacks {missing}; leave the column out, or cut the log")
-    if there.min() == there.max():
+    if not log.static and there.min() == there.max():
         raise UsageError(f"{log.name}: {column.name} is {there[0]:g} throughout and says nothing; leave it out")
 
 
@@ -133,7 +166,7 @@ def faults(log: Log, columns: Columns) -> list[str]:
         out += [
             f"{log.name}: {column.name} seems saturated at {end:g}, where it stops suddenly; cut these samples out"
             for end in (there.min(), there.max())
-            if _saturated(there, end)
+            if not log.static and _saturated(there, end)
         ]
     return out
 
@@ -158,8 +191,10 @@ def _opened(path: str | os.PathLike[str]) -> BinaryIO:
         raise UsageError(f"{file}: cannot be read ({one_line(why)}); check path and permissions") from None
 
 
-def _csv_columns(path: str | os.PathLike[str], file: str, wanted: Sequence[str]) -> dict[str, np.ndarray]:
-    """The columns of a CSV file that are wanted; what is no number is NaN."""
+def _csv_columns(
+    path: str | os.PathLike[str], file: str, wanted: Sequence[str], span: Span | None
+) -> dict[str, np.ndarray]:
+    """The columns of a CSV file that are wanted, the first one the time; what is no number is NaN."""
     head = head_of(path)
     for name in wanted:
         if head.count(name) > 1:
@@ -169,9 +204,8 @@ def _csv_columns(path: str | os.PathLike[str], file: str, wanted: Sequence[str])
         return {name: np.empty(0) for name in head}
     with _opened(path) as stream:
         try:
-            table = np.genfromtxt(
-                stream, delimiter=",", skip_header=1, usecols=[head.index(x) for x in there], ndmin=2, encoding="utf-8"
-            )
+            stream.readline()
+            table = _rows(stream, [head.index(x) for x in there], file, span if wanted[0] in head else None)
         except (ValueError, UnicodeDecodeError) as error:
             why = one_line(" ".join(str(error).split())[:120])
             raise UsageError(
@@ -180,6 +214,25 @@ def _csv_columns(path: str | os.PathLike[str], file: str, wanted: Sequence[str])
     return dict(zip(there, table.reshape(-1, len(there)).T, strict=True)) | {
         name: np.empty(0) for name in head if name not in there
     }
+
+
+def _rows(stream: BinaryIO, places: list[int], file: str, span: Span | None) -> np.ndarray:
+    """The rows (N, columns) of a table, of which few are in memory as text; those of a span in the first column."""
+    parts, number = [np.empty((0, len(places)))], 0
+    while lines := [x for x in islice(stream, CHUNK) if x.strip()]:
+        rows = np.genfromtxt(lines, delimiter=",", usecols=places, ndmin=2, encoding="utf-8").reshape(-1, len(places))
+        if span is not None:
+            t, margin = rows[:, 0], 1e-6 * (span[1] - span[0])
+            over = bool(t[0] > span[1] + margin)
+            rows = rows[~(t < span[0] - margin) & ~(t > span[1] + margin)]  # a time that is no number stays and is told
+            if over and number:
+                break
+        number += len(rows)
+        if number > MOST_ROWS:
+            remedy = f"name a part, as {file}@0:10, or keep every tenth sample"
+            raise UsageError(f"{file}: has more than {MOST_ROWS} rows, which no fit needs; {remedy}")
+        parts.append(rows)
+    return np.concatenate(parts)
 
 
 def _npz_columns(path: str | os.PathLike[str]) -> dict[str, np.ndarray]:

@@ -11,7 +11,7 @@ from ..spec.columns import Columns
 from ..spec.parameters import parameters
 from .identification import Explained
 from .logs import Log
-from .solve import Estimate, Fit, correlations
+from .solve import Estimate, Fit
 from .unknowns import Unknowns
 
 FACTORS = {57.2958: "degrees and radians", 1000.0: "a factor of 1000, as between mm and m"}
@@ -29,7 +29,7 @@ REPEATED = 0.98
 
 def whiteness(fit: Fit, at: Estimate) -> dict[str, float]:
     """Of each sensor the correlation of a residual with the next: 0 of noise, near 1 where a cause is not modelled."""
-    return dict(zip(fit.problem.sensor_names, correlations(at.differences).tolist(), strict=True))
+    return dict(zip(fit.problem.sensor_names, fit.correlations(at.differences).tolist(), strict=True))
 
 
 def of_fit(fit: Fit, at: Estimate) -> list[str]:
@@ -98,7 +98,7 @@ def of_filters(model: RobotModel, columns: Columns, asked: Unknowns, p: np.ndarr
     damping is less in proportion.
     """
     damping = {x.name: (x.field, x.link) for x in parameters(model.robot) if x.field.startswith("damping.")}
-    free = [one.name for one in asked if one.name in damping]
+    free = [name for one in asked for name in one.members if name in damping]
     if not free or any(column.filter for column in columns.sensors):
         return []
     lowest = 2 * np.pi * first

@@ -35,9 +35,11 @@ class ShownSection(NamedTuple):
 
 def report_html(found: Identification) -> str:
     """The page, which needs nothing else."""
+    contexts = [(section, section.context(found)) for section in SECTIONS]
     shown = [
-        ShownSection(section.title, markup(render(f"identify/{section.template}.html.jinja", **section.context(found))))
-        for section in SECTIONS
+        ShownSection(section.title, markup(render(f"identify/{section.template}.html.jinja", **context)))
+        for section, context in contexts
+        if context
     ]
     return render("identify/page.html.jinja", title=f"Identification of {found.robot}", sections=shown)
 
@@ -55,7 +57,7 @@ def _logs(found: Identification) -> Context:
     for log in found.explained:
         of = {name: log.share(name) for name in ("before", "whole", "windows")}
         kind = "held out" if log.held_out else "fitted"
-        for sensor in log.sensors:
+        for sensor in of["whole"]:
             rows.append(
                 {"log": log.log, "kind": kind, "sensor": sensor} | {k: _percent(x[sensor]) for k, x in of.items()}
             )
@@ -86,7 +88,9 @@ def _curves(found: Identification) -> Context:
 
 
 def _residuals(found: Identification) -> Context:
-    fitted = [log for log in found.explained if not log.held_out]
+    fitted = [log for log in found.explained if not (log.held_out or log.static)]
+    if not fitted:
+        return {"rows": [], "picture": ""}
     of = {sensor: spectrum(fitted, sensor) for sensor in fitted[0].sensors}
     first = min(found.frequencies, default=0.0)
     rows = []
@@ -98,6 +102,11 @@ def _residuals(found: Identification) -> Context:
     return {"rows": rows, "picture": _picture(spectra(of, found.frequencies))}
 
 
+def _vibrations(found: Identification) -> Context:
+    """Nothing, and no section, where none was measured."""
+    return {"lines": [one.line() for one in found.vibrations]} if found.vibrations else {}
+
+
 def _fit(found: Identification) -> Context:
     return {"rows": list(found.tried.items())}
 
@@ -107,6 +116,7 @@ SECTIONS: Sequence[ReportSection] = (
     ReportSection("What is odd", "said", _notes),
     ReportSection("What the data do not determine", "said", _undetermined),
     ReportSection("Numbers, before and after", "numbers", _numbers),
+    ReportSection("Measured vibrations", "said", _vibrations),
     ReportSection("Measured against model", "curves", _curves),
     ReportSection("What is left", "residuals", _residuals),
     ReportSection("The fit", "fit", _fit),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -16,6 +16,7 @@ import numpy as np
 from ..errors import ScrewgenError, UsageError
 from ..spec.load import decode, loads, one_line, read
 from ..spec.parameters import parameters
+from .file_numbers import FileNumbers
 
 TOKEN = re.compile(
     r'#[^\n]*|"""[\s\S]*?"""|\'\'\'[\s\S]*?\'\'\'|"(?:\\.|[^"\\\n])*"|\'[^\'\n]*\''
@@ -61,8 +62,8 @@ def with_values(text: str, values: Mapping[str, float], notes: Mapping[str, str]
     return "\n".join(lines)
 
 
-def check_stated(path: str | os.PathLike[str], names: list[str]) -> None:
-    """Raises UsageError where no number of a robot file states one of these parameters by itself."""
+def check_stated(path: str | os.PathLike[str], names: Sequence[str]) -> None:
+    """Raises UsageError where no number of a robot file states one of these parameters or numbers by itself."""
     file = one_line(os.fsdecode(path))
     _places(decode(read(path, file), file), names, file, folder_of(path))
 
@@ -71,13 +72,22 @@ def _as_float(number: str) -> str:
     return number if re.search(r"[.e]", number) else f"{number}.0"
 
 
-def _places(text: str, names: list[str], file: str, folder: str) -> dict[str, NumberPlace]:
-    """The number of the text that states each parameter, and none besides."""
+def _places(text: str, names: Sequence[str], file: str, folder: str) -> dict[str, NumberPlace]:
+    """The number of the text that states each parameter, and none besides, or has that name in the file."""
     known = parameters(loads(text, file, folder))
+    others = set(names) - {one.name for one in known}
+    of_file = {name: x for name, x in FileNumbers(text, file).names.items() if name in others}
     start = np.array([x.value for x in known])
     out: dict[str, NumberPlace] = {}
     stated: set[str] = set()
     for place in numbers(text):
+        for name in [name for name, one in of_file.items() if one.value == place.value]:
+            other = place.value * (1 + NUDGE)
+            changed_file = FileNumbers(_replaced(text, place, other), file).names
+            if name in changed_file and changed_file[name].value == other:
+                out[name] = place
+        if len(of_file) == len(set(names)):
+            continue
         changed = _changed(text, place, start, file, folder)
         for k in changed:
             name = known[k].name
@@ -86,8 +96,8 @@ def _places(text: str, names: list[str], file: str, folder: str) -> dict[str, Nu
             stated.add(name)
     for name in names:
         if name not in out:
-            others = "together with others" if name in stated else "by no number"
-            raise UsageError(f"{file}: {name} is stated {others}; state it by a number of its own, then identify it")
+            how = "together with others" if name in stated else "by no number"
+            raise UsageError(f"{file}: {name} is stated {how}; state it by a number of its own, then identify it")
     return {name: out[name] for name in names}
 
 

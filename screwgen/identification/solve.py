@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .problem import Problem, Windows
+from .problem import MeasuredCases, Problem
 
 DAMPINGS = (1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0)
 """The factors of the damping that are tried together."""
@@ -74,15 +74,17 @@ class StateFree:
 
 
 class Fit:
-    """The fit of a problem. ``noise``: of each sensor the deviation, NaN where it follows from residuals."""
+    """The fit of a problem."""
 
-    def __init__(
-        self, problem: Problem, noise: np.ndarray, robust: bool, progress: Callable[[str], None] | None = None
-    ):
-        self.problem, self.stated, self.robust, self.progress = problem, noise, robust, progress
+    def __init__(self, problem: Problem, robust: bool, progress: Callable[[str], None] | None = None):
+        self.problem, self.robust, self.progress = problem, robust, progress
         self.priors = problem.unknowns.priors
         self.low, self.high = problem.unknowns.bounds
-        self.varies = _stacked_std([group.compared for group in problem.groups])
+        spread = [np.broadcast_to(group.spread, group.compared.shape) for group in problem.groups]
+        self.varies = np.sqrt(np.nanmean(problem.of_all(spread) ** 2, axis=0))
+        self.stated = np.full(len(problem.sensor_names), np.nan)
+        for group in problem.groups:
+            self.stated[problem.own(group)] = group.stated
 
     def run(self, iterations: int, sought: np.ndarray) -> Estimate:
         """The estimate when it has converged, or where it is after so many iterations or an interruption."""
@@ -106,7 +108,7 @@ class Fit:
     def _linearised(self, at: Estimate) -> list[tuple[np.ndarray, ...]]:
         """Differences and derivatives of every log, of which those and the noise become the estimate's."""
         pairs = zip(self.problem.groups, at.shift, strict=True)
-        found: list[tuple[np.ndarray, ...]] = [self.problem.linearised(group, at.sought, own) for group, own in pairs]
+        found: list[tuple[np.ndarray, ...]] = [group.linearised(self.problem, at.sought, own) for group, own in pairs]
         at.differences = [difference for difference, *_ in found]
         at.noise = self.noise(at.differences)
         return found
@@ -114,7 +116,7 @@ class Fit:
     def start(self, sought: np.ndarray) -> Estimate:
         """An estimate with these numbers (k,), whose windows begin where readings say."""
         groups = self.problem.groups
-        shift = [np.zeros((len(group.first), len(group.states))) for group in groups]
+        shift = [np.zeros((len(group.compared), len(group.states))) for group in groups]
         return Estimate(sought.copy(), shift, self.varies.copy(), [], np.inf)
 
     def _improved(self, at: Estimate, iterations: int) -> Iterator[None]:
@@ -159,8 +161,8 @@ class Fit:
         """The estimate with these numbers and starts."""
         found = []
         for group, own in zip(self.problem.groups, shift, strict=True):
-            lanes = np.arange(len(group.first))
-            found.append(self.problem.differences(group, lanes, np.tile(sought, (len(lanes), 1)), own))
+            lanes = np.arange(len(group.compared))
+            found.append(group.differences(self.problem, lanes, np.tile(sought, (len(lanes), 1)), own))
         return Estimate(sought, shift, noise, found, self._cost(sought, shift, found, noise))
 
     # ------------------------------------------------------------------------------ cost
@@ -177,13 +179,25 @@ class Fit:
 
     def sizes(self, differences: list[np.ndarray]) -> np.ndarray:
         """The root mean square (sensors,) of residuals, of a robust fit what it would be without outliers."""
-        rows = np.concatenate([x.reshape(-1, x.shape[-1]) for x in differences])
+        rows = self.problem.of_all(differences)
         rows = np.where(np.isfinite(rows), rows, np.nan)
         return np.nanmedian(np.abs(rows), axis=0) / MEDIAN if self.robust else np.sqrt(np.nanmean(rows**2, axis=0))
 
+    def correlations(self, differences: list[np.ndarray]) -> np.ndarray:
+        """Of each sensor the correlation (sensors,) of a residual with the next one, 0 where none is next."""
+        first, last = (
+            np.nan_to_num(self.problem.of_all([x[:, part] for x in differences]))
+            for part in (slice(None, -1), slice(1, None))
+        )
+        if not len(first):
+            return np.zeros(first.shape[1])
+        first, last = first - first.mean(axis=0), last - last.mean(axis=0)
+        size = np.sqrt(np.sum(first**2, axis=0) * np.sum(last**2, axis=0))
+        return np.asarray(np.sum(first * last, axis=0) / np.maximum(size, 1e-300))
+
     def _independent(self, differences: list[np.ndarray]) -> float:
         """The share of residuals that say something of their own."""
-        found = np.clip(correlations(differences), 0.0, 1.0)
+        found = np.clip(self.correlations(differences), 0.0, 1.0)
         return float(np.mean((1 - found) / (1 + found)))
 
     def _cost(
@@ -191,10 +205,10 @@ class Fit:
     ) -> float:
         total = np.sum(((sought - self.priors[:, 0]) / self.priors[:, 1]) ** 2)
         total += sum(np.sum(own**2) for own in shift)
-        for part in differences:
+        for group, part in zip(self.problem.groups, differences, strict=True):
             if np.isinf(part).any():
                 return np.inf
-            r = np.abs(np.nan_to_num(part / noise))
+            r = np.abs(np.nan_to_num(part / noise[self.problem.own(group)]))
             total += np.sum(np.where(r > HUBER, HUBER * (2 * r - HUBER), r**2) if self.robust else r**2)
         return float(total) / 2
 
@@ -204,10 +218,10 @@ class Fit:
         doubt = np.sqrt(np.minimum(1.0, HUBER / np.maximum(np.nan_to_num(r), 1e-300))) if self.robust else 1.0
         return np.where(np.isnan(difference), 0.0, doubt / noise)
 
-    def rows(self, group: Windows, at: Estimate, found: tuple[np.ndarray, ...], k: int) -> tuple[np.ndarray, ...]:
+    def rows(self, group: MeasuredCases, at: Estimate, found: tuple[np.ndarray, ...], k: int) -> tuple[np.ndarray, ...]:
         """Residuals (rows,) of window k and their derivatives with states and with what is sought, weighted."""
         difference, by_p, by_x = (x[k] for x in found)
-        weight = self.weights(difference, at.noise)
+        weight = self.weights(difference, at.noise[self.problem.own(group)])
         r, J_p, J_x = weight * np.nan_to_num(difference), weight[..., None] * by_p, weight[..., None] * by_x
         return r.ravel(), np.nan_to_num(J_x.reshape(r.size, -1)), np.nan_to_num(J_p.reshape(r.size, -1))
 
@@ -217,7 +231,7 @@ class Fit:
         left = np.column_stack([np.diag(1 / self.priors[:, 1]), (at.sought - self.priors[:, 0]) / self.priors[:, 1]])
         for group, shift, own in zip(self.problem.groups, at.shift, found, strict=True):
             n, of_log = len(group.states), []
-            for w in range(len(group.first)):
+            for w in range(len(group.compared)):
                 r, J_x, J_p = self.rows(group, at, own, w)
                 prior = np.hstack([np.eye(n), np.zeros((n, k)), shift[w][:, None]])
                 R = _triangle(np.vstack([np.column_stack([J_x, J_p, r]), prior]))
@@ -238,22 +252,6 @@ class Fit:
         return f"iteration {len(at.history)}: {names[worst]} is {100 * share[worst]:.3g} % of its variation off"
 
 
-def correlations(differences: list[np.ndarray]) -> np.ndarray:
-    """Of each sensor the correlation (sensors,) of a residual with the next one."""
-    first, last = (
-        np.nan_to_num(np.concatenate([x[:, part].reshape(-1, x.shape[-1]) for x in differences]))
-        for part in (slice(None, -1), slice(1, None))
-    )
-    first, last = first - first.mean(axis=0), last - last.mean(axis=0)
-    size = np.sqrt(np.sum(first**2, axis=0) * np.sum(last**2, axis=0))
-    return np.asarray(np.sum(first * last, axis=0) / np.maximum(size, 1e-300))
-
-
 def _triangle(rows: np.ndarray) -> np.ndarray:
     """The upper triangle with the same products of columns."""
     return np.asarray(np.linalg.qr(rows, mode="r"))
-
-
-def _stacked_std(parts: list[np.ndarray]) -> np.ndarray:
-    rows = np.concatenate([x.reshape(-1, x.shape[-1]) for x in parts])
-    return np.nanstd(rows, axis=0)

@@ -15,7 +15,7 @@ from ..robot_model import RobotModel
 from ..simulation.runs import Run
 from ..spec.columns import Columns, load_columns
 from ..spec.load import one_line
-from .logs import Log, head_of, read_log
+from .logs import Log, counted, head_of, read_log
 from .signals import Signals, of_run
 
 PART = re.compile(r"(?P<path>.+)@(?P<start>[-+.\deE]+):(?P<end>[-+.\deE]+)")
@@ -74,9 +74,9 @@ def log_of(source: Source, columns: Columns) -> Log:
         table = dict(zip(source.columns, source.table.T, strict=True))
         return Log(source.name, source.t, table)
     if isinstance(source, Log):
-        return source
+        return counted(source) if columns.static and not source.static else source
     path, start, end = _part(source)
-    log = read_log(path, columns)
+    log = read_log(path, columns, None if start is None or end is None else (start, end))
     return log if start is None or end is None else replace(log.part(start, end), name=one_line(os.fsdecode(source)))
 
 
@@ -84,4 +84,4 @@ def varying(columns: Columns, logs: Sequence[Log]) -> Columns:
     """The columns without sensors that say nothing, as what a planar arm has across its plane."""
     silent = {c.name for c in columns.sensors if all(np.ptp(log.columns[c.name]) == 0 for log in logs)}
     left = tuple(column for column in columns.columns if column.name not in silent)
-    return Columns(time=columns.time, columns=left)
+    return columns.model_copy(update={"columns": left})

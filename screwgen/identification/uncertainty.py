@@ -12,7 +12,7 @@ import numpy as np
 from scipy.special import stdtrit
 
 from ..lazily import linalg
-from .problem import Windows
+from .problem import MeasuredCases
 from .solve import Estimate, Fit
 
 CLUSTER = 0.2
@@ -45,11 +45,11 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
     The score of a cluster is what it would be if the numbers had been found without it: a cluster from which a number
     follows has a residual that is too small.
     """
-    found = [fit.problem.linearised(g, at.sought, s) for g, s in zip(fit.problem.groups, at.shift, strict=True)]
+    found = [g.linearised(fit.problem, at.sought, s) for g, s in zip(fit.problem.groups, at.shift, strict=True)]
     windows = [
         _of_window(fit, group, at, own, w, shift[w])
         for group, own, shift in zip(fit.problem.groups, found, at.shift, strict=True)
-        for w in range(len(group.first))
+        for w in range(len(group.compared))
     ]
     A = np.sum([information for information, _, _ in windows], axis=0)
     scores = np.concatenate([own for _, _, own in windows])
@@ -62,6 +62,8 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
     directions = lost_directions(A + known, B + known)
     covariance = inverse @ (B + known) @ inverse
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    if np.isfinite(fit.stated).all():  # as many readings as numbers leave no residual, and yet have their noise
+        deviation = np.maximum(deviation, np.sqrt(np.diag(inverse)))
     for direction, size in directions:
         lost = np.abs(direction) >= NAMED
         deviation[lost] = np.maximum(deviation[lost], size * np.abs(direction[lost]))
@@ -74,7 +76,7 @@ def _quantile(freedom: int) -> float:
 
 
 def _of_window(
-    fit: Fit, group: Windows, at: Estimate, found: tuple[np.ndarray, ...], w: int, shift: np.ndarray
+    fit: Fit, group: MeasuredCases, at: Estimate, found: tuple[np.ndarray, ...], w: int, shift: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Information (k, k) of a window on what is sought, its states eliminated, that of clusters, and their scores.
 
@@ -86,7 +88,7 @@ def _of_window(
     rows = np.vstack([J_p, np.zeros((n, k))])
     rows -= Q @ (Q.T @ rows)
     sensors = found[0].shape[-1]
-    seconds = np.arange(len(r)) // sensors * group.experiment.log.step
+    seconds = np.arange(len(r)) // sensors * group.step
     of = (seconds // CLUSTER).astype(int)
     own = [rows[: len(r)][of == c] for c in range(of[-1] + 1)]
     scores = np.array([x.T @ r[of == c] for c, x in enumerate(own)])

@@ -15,15 +15,19 @@ from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.columns import Column, Columns
 from ..spec.parameters import Parameter, parameters
+from .file_numbers import FileNumber, FileNumbers, with_numbers
 from .logs import Log
 from .sensing import NUMBERS, numbers_of
 
 PARAMETER, SENSOR, INPUT = "parameter", "sensor", "input"
+NUMBERS_SAID = ("value", "deviation", "low", "high")
 FREE = re.compile(
-    r"\s*(?P<pattern>\S+?)\s*(?:=\s*(?P<value>[^\s±]+)\s*(?:±|\+-)\s*(?P<deviation>\S+))?"
+    r"\s*(?P<pattern>\S+?)(?P<together>\s+together)?\s*(?:=\s*(?P<value>[^\s±]+)\s*(?:±|\+-)\s*(?P<deviation>\S+))?"
     r"(?:\s+in\s+(?P<low>\S+?)\s*\.\.\s*(?P<high>\S+))?\s*"
 )
-"""``PATTERN``, ``PATTERN = value ± deviation`` for a prior, ``PATTERN in low..high`` for bounds."""
+"""``PATTERN``, ``PATTERN = value ± deviation`` for a prior, ``PATTERN in low..high`` for bounds; ``PATTERN together``
+where all that it names are one number.
+"""
 
 
 @dataclass(frozen=True)
@@ -41,8 +45,12 @@ class FreeNumber:
     high: float = math.inf
     prior: tuple[float, float] | None = None
     """What is known of it beforehand: a value and its standard deviation."""
-    place: int = -1
-    """Of a parameter its place among all."""
+    places: tuple[int, ...] = ()
+    """Of a parameter its place among all; several where equal ones are one number."""
+    of_file: tuple[FileNumber, ...] = ()
+    """Of what is no parameter by itself, but gives some: the numbers of the robot file."""
+    members: tuple[str, ...] = ()
+    """The names of all that are this number."""
 
     @property
     def owner(self) -> tuple[str, str]:
@@ -103,35 +111,76 @@ def _sought_bound(one: FreeNumber, value: float, without: float) -> float:
 # ------------------------------------------------------------------------------ which are free
 
 
-def unknowns(model: RobotModel, columns: Columns, free: Sequence[str], sizes: Mapping[str, float]) -> Unknowns:
+def unknowns(
+    model: RobotModel,
+    columns: Columns,
+    free: Sequence[str],
+    sizes: Mapping[str, float],
+    file: FileNumbers | None = None,
+) -> Unknowns:
     """Those that patterns name, in which `*` is any text, with priors and bounds where they are stated.
 
-    `sizes`: how much each column varies. Raises UsageError where a pattern names none, or a start makes no sense.
+    `sizes`: how much each column varies; `file`: the robot's, whose numbers are known by what they are called there,
+    too. Raises UsageError where a pattern names none, or a start makes no sense.
     """
     known = _known(model, columns, sizes)
     found: dict[str, FreeNumber] = {}
     for said in [free] if isinstance(free, str) else free:
         part, own = _named(said, known)
-        if not own:
-            choice(part["pattern"], known, "free: there is no")
-        for name in own:
-            found[name] = _restricted(known[name](), part)
+        chosen = [known[name]() for name in own]
+        if file is not None:
+            chosen += [_of_file(one) for one in file.giving_several(_named(said, file.names)[1])]
+        if not chosen:
+            choice(part["pattern"], [*known, *(file.names if file else ())], "free: there is no")
+        for one in [_united(part["pattern"], chosen)] if part["together"] else chosen:
+            found[one.name] = _restricted(one, part)
     if not found:
         raise UsageError("free: nothing is free; name parameters, as free=['arm.EIz', 'arm.joint.*']")
-    return Unknowns(found[name] for name in known if name in found)
+    _once(found.values())
+    order = {name: k for k, name in enumerate(known)}
+    return Unknowns(sorted(found.values(), key=lambda one: order.get(one.members[0], len(order))))
 
 
-def unknowns_of_logs(model: RobotModel, columns: Columns, free: str | Sequence[str], logs: Sequence[Log]) -> Unknowns:
-    """Those that patterns name, with scales by how much the columns of logs vary."""
+def unknowns_of_logs(
+    model: RobotModel,
+    columns: Columns,
+    free: str | Sequence[str],
+    logs: Sequence[Log],
+    file: FileNumbers | None = None,
+) -> Unknowns:
+    """Those that patterns name, with scales by how much the columns of logs vary; `file` as for :func:`unknowns`."""
     of = lambda name: float(np.nanstd(np.concatenate([log.columns[name] for log in logs])))  # noqa: E731
     sizes = {column.name: max(of(column.name), 1e-12) for column in columns.columns}
-    return unknowns(model, columns, [free] if isinstance(free, str) else free, sizes)
+    return unknowns(model, columns, [free] if isinstance(free, str) else free, sizes, file)
 
 
-def free_parameters(model: RobotModel, free: Sequence[str]) -> list[str]:
-    """The parameters of the robot among those that patterns name; see :func:`unknowns`."""
+def free_parameters(model: RobotModel, free: Sequence[str], file: FileNumbers) -> list[str]:
+    """The numbers of the robot among those that patterns name; see :func:`unknowns`."""
     known = [one.name for one in parameters(model.robot)]
-    return list(dict.fromkeys(name for said in free for name in _named(said, known)[1]))
+    of_file = [one.name for said in free for one in file.giving_several(_named(said, file.names)[1])]
+    return list(dict.fromkeys([name for said in free for name in _named(said, known)[1]] + of_file))
+
+
+def _united(name: str, several: Sequence[FreeNumber]) -> FreeNumber:
+    """One number in place of equal ones."""
+    first = several[0]
+    for one in several:
+        if one.kind != PARAMETER or one.value != first.value:
+            what = f"{one.name} is {one.value:g} and {first.name} {first.value:g}"
+            said = what if one.kind == PARAMETER else f"{one.name} is no number of the robot"
+            raise UsageError(f"free: '{name} together': {said}; together are numbers of the robot that start equal")
+    places, members = (tuple(x for one in several for x in getattr(one, key)) for key in ("places", "members"))
+    return replace(first, name=name, places=places, members=members, of_file=sum((x.of_file for x in several), ()))
+
+
+def _once(found: Iterable[FreeNumber]) -> None:
+    """Refuses a number that is free twice, by itself and together with others."""
+    owner: dict[str, str] = {}
+    for one in found:
+        for member in one.members:
+            if member in owner:
+                raise UsageError(f"free: {member} is free twice, as {owner[member]} and as {one.name}; name it once")
+            owner[member] = one.name
 
 
 def _named(said: str, known: Iterable[str]) -> tuple[re.Match[str], list[str]]:
@@ -147,7 +196,7 @@ def _named(said: str, known: Iterable[str]) -> tuple[re.Match[str], list[str]]:
 def _restricted(one: FreeNumber, said: re.Match[str]) -> FreeNumber:
     """The unknown with the prior and the bounds that are stated."""
     try:
-        got = {key: float(x) for key, x in said.groupdict().items() if key != "pattern" and x is not None}
+        got = {key: float(x) for key in NUMBERS_SAID if (x := said[key]) is not None}
     except ValueError:
         raise UsageError(f"free: '{said[0].strip()}' states no number where one is due") from None
     prior = (got["value"], got["deviation"]) if "value" in got else one.prior
@@ -173,9 +222,7 @@ def _known(model: RobotModel, columns: Columns, sizes: Mapping[str, float]) -> d
     for column in columns.inputs:
         size = sizes[column.name]
         out[f"{column.name}.gain"] = lambda c=column: _logarithmic(f"{c.name}.gain", INPUT, c.to_si, "")  # type: ignore[misc]
-        out[f"{column.name}.bias"] = lambda c=column, s=size: FreeNumber(  # type: ignore[misc]
-            f"{c.name}.bias", INPUT, c.bias, c.unit, False, s
-        )
+        out[f"{column.name}.bias"] = lambda c=column, s=size: _linear(f"{c.name}.bias", INPUT, c.bias, c.unit, s)  # type: ignore[misc]
     return out
 
 
@@ -186,25 +233,39 @@ def _parameter(place: int, one: Parameter) -> FreeNumber:
     if one.sign != "any" or (diagonal and one.value > 0):
         return _logarithmic(one.name, PARAMETER, one.value, unit, place)
     scale = max(abs(one.value), SCALES.get(unit, 1.0))
-    return FreeNumber(one.name, PARAMETER, one.value, unit, False, scale, place=place)
+    return FreeNumber(one.name, PARAMETER, one.value, unit, False, scale, places=(place,), members=(one.name,))
+
+
+def _of_file(one: FileNumber) -> FreeNumber:
+    """A number of the robot file that gives several parameters, within the range that it has there."""
+    if one.value <= 0:
+        raise UsageError(f"free: {one.name} is {one.value:g}, and its logarithm is sought; start from a number > 0")
+    low, high = one.range
+    return FreeNumber(
+        *(one.name, PARAMETER, one.value, one.unit, True, 1.0, low, high), of_file=(one,), members=(one.name,)
+    )
 
 
 SCALES: Mapping[str, float] = {"m": 0.1, "m/s²": 1.0, "kg·m²": 0.01, "rad": 0.1}
 """By unit, changes that count as large of numbers of either sign."""
 
 
-def _logarithmic(name: str, kind: str, value: float, unit: str, place: int = -1) -> FreeNumber:
+def _logarithmic(name: str, kind: str, value: float, unit: str, *place: int) -> FreeNumber:
     if value == 0:
         raise UsageError(f"free: {name} is 0, and its logarithm is sought; start from a number that is not")
-    return FreeNumber(name, kind, value, unit, True, 1.0, place=place)
+    return FreeNumber(name, kind, value, unit, True, 1.0, places=place, members=(name,))
+
+
+def _linear(name: str, kind: str, value: float, unit: str, scale: float, low: float = -math.inf) -> FreeNumber:
+    return FreeNumber(name, kind, value, unit, False, scale, low, members=(name,))
 
 
 def _of_sensor(column: Column, number: str, value: float, size: float) -> FreeNumber:
     name = f"{column.name}.{number}"
     if number == "offset":
-        return FreeNumber(name, SENSOR, value, column.unit, False, size)
+        return _linear(name, SENSOR, value, column.unit, size)
     if number == "delay":
-        return FreeNumber(name, SENSOR, value, "s", False, 1e-2, low=0.0)
+        return _linear(name, SENSOR, value, "s", 1e-2, 0.0)
     return _logarithmic(name, SENSOR, value, {"cutoff": "Hz"}.get(number, ""))
 
 
@@ -229,7 +290,13 @@ def input_numbers(unknowns: Unknowns, column: Column, values: np.ndarray) -> tup
 def parameter_rows(model: RobotModel, unknowns: Unknowns, values: np.ndarray) -> np.ndarray:
     """The parameter vectors (lanes, n) with free numbers (lanes, k)."""
     out = np.tile(model.chain.parameters.values, (len(values), 1))
+    if of_file := [k for k, one in enumerate(unknowns) if one.of_file]:
+        different, lane = np.unique(values[:, of_file], axis=0, return_inverse=True)
+        changed = [x for k in of_file for x in unknowns[k].of_file]
+        counts = [len(unknowns[k].of_file) for k in of_file]
+        rows = [with_numbers(changed, np.repeat(row, counts)) for row in different]
+        out = np.array(rows)[lane.ravel()]
     for k, one in enumerate(unknowns):
-        if one.kind == PARAMETER:
-            out[:, one.place] = values[:, k]
+        for place in one.places:
+            out[:, place] = values[:, k]
     return out

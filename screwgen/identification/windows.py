@@ -11,9 +11,11 @@ from functools import cached_property
 
 import numpy as np
 
+from ..backends.numpy.dae_step import SERIES
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.columns import UNITS, Columns
+from ..topology.chain import Chain
 from . import smoothing
 from .logs import Log
 from .signals import SensorSignal, Signals
@@ -42,6 +44,11 @@ class Experiment:
     def readings(self) -> np.ndarray:
         """(N, sensors)"""
         return np.column_stack([self.log.columns[column.name] for column in self.columns.sensors])
+
+    @property
+    def noise(self) -> np.ndarray:
+        """(sensors,): the deviations of noise, NaN where none is stated."""
+        return np.array([np.nan if c.noise is None else c.noise for c in self.columns.sensors])
 
     @cached_property
     def inputs(self) -> np.ndarray:
@@ -105,10 +112,34 @@ class Experiment:
 
 @dataclass(frozen=True, eq=False)
 class StartState:
-    """Where a motion begins: `x` = [q; v], and how well each of its entries is known, 0 of those that are given."""
+    """Where a motion begins, and how well that is known.
+
+    Changes of a state (nv + nvz,) are those of the posture along v, turns of floating bases and ball joints among
+    them, and those of rates.
+    """
 
     x: np.ndarray
+    """[q; v]"""
     deviation: np.ndarray
+    """Of each change, 0 of those that are given."""
+
+
+def changed(chain: Chain, x: np.ndarray, change: np.ndarray) -> np.ndarray:
+    """States (…, nq + nvz) after changes (…, nv + nvz) of them."""
+    if not chain.curved:
+        return x + change
+    q, u = (
+        np.broadcast_to(a, (*change.shape[:-1], a.shape[-1])) for a in (x[..., : chain.nq], change[..., : chain.nv])
+    )
+    rows = zip(q.reshape(-1, chain.nq), u.reshape(-1, chain.nv), strict=True)
+    posture = np.array([chain.integrate(*row, SERIES) for row in rows]).reshape(q.shape)
+    return np.concatenate([posture, x[..., chain.nq :] + change[..., chain.nv :]], axis=-1)
+
+
+def change_between(chain: Chain, x: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """The change (nv + nvz,) from a state to another."""
+    n = chain.nq
+    return np.append(chain.difference(x[:n], other[:n], SERIES), other[n:] - x[n:])
 
 
 def starts(experiment: Experiment, signals: Signals, firsts: list[int], p: np.ndarray) -> list[StartState]:
@@ -127,29 +158,33 @@ def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray) 
     of_value = np.maximum(WIDE * seen.of_value / np.abs(scale), 1e-3 * size)
     of_rate = np.maximum(WIDE * seen.of_rate / np.abs(scale), 1e-3 * size / (experiment.reach * step))
     x, wide = _at_rest(model, p)
+    chain, n, nv = model.chain, model.nq, model.nv
     for k, sensor in enumerate(plain):
         if (one := signals.signals[sensor]).kind in ("q", "v"):
             x[one.place + model.nq * (one.kind == "v")] = value[k] * UNITS[one.column.unit]
-    held = np.zeros(len(x), bool)
+    x[:n] = chain.unit(x[:n])
+    held = np.zeros(len(wide), bool)
     for joint, (at_q, at_v, _) in experiment.moved.items():
         x[at_q], x[model.nq + at_v] = (curve[first] for curve in experiment.given[joint])
-        held[[at_q, model.nq + at_v]] = True
+        held[[at_v, nv + at_v]] = True
     middle, _ = _at_rest(model, p)
-    free, n = np.flatnonzero(~held), model.nq
+    free = np.flatnonzero(~held)
     by_q = [not _needs_rates(signals.signals[k]) for k in plain]
     for _ in range(ROUNDS):
-        h, H = _slopes(signals, x, p, plain, n)
+        h, H = _slopes(signals, x, p, plain)
         rows = [(value - h) / of_value]
         slopes = [H / of_value[:, None]]
         moving = np.flatnonzero(by_q)
-        rates = H[moving][:, :n][:, model.chain.flat_q] @ x[n + model.chain.flat_v]
-        by_rate = np.zeros((len(moving), len(x)))
-        by_rate[:, n + model.chain.flat_v] = H[moving][:, model.chain.flat_q]
-        rows += [(rate[moving] - rates) / of_rate[moving], (middle - x)[free] / wide[free]]
+        by_rate = np.zeros((len(moving), len(wide)))
+        by_rate[:, nv : 2 * nv] = H[moving][:, :nv]
+        rates = by_rate[:, nv : 2 * nv] @ x[n : n + nv]
+        rows += [(rate[moving] - rates) / of_rate[moving], (change_between(chain, x, middle) / wide)[free]]
         slopes += [by_rate / of_rate[moving, None], np.diag(1 / wide)[free]]
         A, b = np.vstack(slopes)[:, free], np.concatenate(rows)
-        x[free] += np.linalg.lstsq(A, b, rcond=None)[0]
-    deviation = np.zeros(len(x))
+        step_of_all = np.zeros(len(wide))
+        step_of_all[free] = np.linalg.lstsq(A, b, rcond=None)[0]
+        x = changed(chain, x, step_of_all)
+    deviation = np.zeros(len(wide))
     deviation[free] = np.sqrt(np.diag(np.linalg.inv(A.T @ A)))
     return StartState(x, deviation)
 
@@ -159,25 +194,27 @@ def _needs_rates(one: SensorSignal) -> bool:
 
 
 def _at_rest(model: RobotModel, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """A state at rest, and how far from it a state may be that nothing measures."""
+    """A state at rest, and changes of it (nv + nvz,) as large as one may be that nothing measures."""
     chain = model.chain
-    if chain.curved:
-        raise UsageError("identify: robots with a floating base or ball joints are not identified yet")
+    if chain.moving:
+        raise UsageError("identify: robots whose base moves as is given are not identified yet; leave the base fixed")
     if chain.closing.rows:
         raise UsageError("identify: robots with loops are not identified yet")
-    wide, rates = np.full(model.nq, FAR), np.full(chain.nvz, SLIPPED)
-    rates[chain.flat_v] = QUICK * FAR
+    wide, rates = np.full(model.nv, FAR), np.full(chain.nvz, SLIPPED)
+    rates[: model.nv] = QUICK * FAR
     for i, (segment, constants) in enumerate(zip(chain.segments, model.numpy(p).constants, strict=True)):
         modes = slice(chain.eta_offset[i], chain.eta_offset[i + 1])
         K, M = (np.asarray(constants[name], float)[: chain.keys[i].modes] for name in ("K", "M_eta"))
         own = BENT * (model.robot.links[segment.link].length or 1.0) / segment.count * K.min(initial=np.inf) / K
-        wide[chain.eta_q :][modes], rates[chain.eta_v :][: chain.n_modes][modes] = own, np.sqrt(K / M) * own
+        wide[chain.eta_v :][modes], rates[chain.eta_v :][: chain.n_modes][modes] = own, np.sqrt(K / M) * own
     return np.concatenate([np.array(chain.home, float), np.zeros(chain.nvz)]), np.concatenate([wide, rates])
 
 
-def _slopes(signals: Signals, x: np.ndarray, p: np.ndarray, fields: list[int], n: int) -> tuple[np.ndarray, np.ndarray]:
-    """Signals (fields,) at a state, and their derivatives (fields, states) by differences."""
-    points = x + np.vstack([np.zeros(len(x)), STEP * np.eye(len(x)), -STEP * np.eye(len(x))])
+def _slopes(signals: Signals, x: np.ndarray, p: np.ndarray, fields: list[int]) -> tuple[np.ndarray, np.ndarray]:
+    """Signals (fields,) at a state, and their derivatives (fields, changes) by differences."""
+    chain, n = signals.model.chain, signals.model.nq
+    size = chain.nv + chain.nvz
+    points = changed(chain, x, np.vstack([np.zeros(size), STEP * np.eye(size), -STEP * np.eye(size)]))
     q, v = points[:, None, :n], points[:, None, n:]
     tau = np.zeros((len(points), 1, signals.model.n_tau))
     found = signals(q, v, tau, np.tile(p, (len(points), 1)), fields)[:, 0]

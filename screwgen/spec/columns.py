@@ -13,7 +13,7 @@ from ..errors import UsageError
 from .load import decode, one_line, parse, read
 from .messages import explain
 from .part import Part
-from .values import non_negative, number, positive, refuse, shown
+from .values import boolean, non_negative, number, positive, refuse, shown
 
 UNITS: Mapping[str, float] = {
     "SI": 1.0,
@@ -95,6 +95,11 @@ class Column(Part):
         return self
 
     @property
+    def in_time(self) -> str:
+        """A key that is stated and says how a reading follows from those before it; empty without."""
+        return "filter" if self.filter else "delay" if self.delay else ""
+
+    @property
     def to_si(self) -> float:
         """What one unit of an input is in SI units."""
         return UNITS[self.unit] if self.gain is None else self.gain
@@ -104,6 +109,9 @@ class Columns(Part):
     """The columns of a log that are used; others are left alone."""
 
     time: str = Field(TIME, description="the column of the time, s")
+    static: Annotated[bool, PlainValidator(boolean)] = Field(
+        False, description="whether each row is the robot at rest, no sample in time; then there is no column of times"
+    )
     columns: tuple[Column, ...] = Field(description="the columns, an array of tables [[columns]]")
 
     @model_validator(mode="after")
@@ -112,6 +120,8 @@ class Columns(Part):
         for k, name in enumerate(names):
             if name in names[:k]:
                 raise refuse(f"'{name}' is stated twice; leave one out", at=("columns", k, "name"))
+            if self.static and (key := self.columns[k].in_time):
+                raise refuse("belongs to samples in time; leave it out of static shapes", at=("columns", k, key))
         if not any(column.measures for column in self.columns):
             raise refuse("measure nothing; state what one of them measures", at=("columns",))
         return self

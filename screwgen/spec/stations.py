@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar
 
+import numpy as np
 from pydantic import BaseModel, Field, PlainValidator, SerializeAsAny, ValidationError, WrapValidator, model_validator
 
 from ..bases.weighted import LINEAR, POLYNOMIAL
@@ -76,12 +77,13 @@ class Stations(Part):
     @model_validator(mode="after")
     def _nowhere_negative(self) -> Self:
         for name in LineProperties.model_fields if self.between == POLYNOMIAL else ():
-            values = self.values(name)
-            for k in range(SAMPLES) if values else ():
-                s = (k + 0.5) / SAMPLES
-                if (value := lagrange(self.places, values, s)) < 0:
-                    what = f"the polynomial through {name} is {value:.3g} at s = {s:.3g}"
-                    raise refuse(f'is "polynomial", but {what}; state more stations, or "linear"', at=("between",))
+            if not (values := self.values(name)):
+                continue
+            s = (np.arange(SAMPLES) + 0.5) / SAMPLES
+            found = lagrange(self.places, values, s)
+            if (below := np.flatnonzero(found < 0)).size:
+                what = f"the polynomial through {name} is {found[below[0]]:.3g} at s = {s[below[0]]:.3g}"
+                raise refuse(f'is "polynomial", but {what}; state more stations, or "linear"', at=("between",))
         return self
 
 
@@ -111,9 +113,9 @@ def check_alike(stations: Sequence[Part], names: Sequence[str]) -> None:
             raise refuse(what, at=("stations", stated.index(False), name))
 
 
-def lagrange(places: tuple[float, ...], values: tuple[float, ...], s: float) -> float:
-    """At `s`, the polynomial that has these values at these places."""
-    total = 0.0
+def lagrange(places: tuple[float, ...], values: tuple[float, ...], s: Any) -> Any:
+    """At `s`, a number or an array, the polynomial that has these values at these places."""
+    total: Any = 0.0
     for place, value in zip(places, values, strict=True):
         others = (other for other in places if other != place)
         total += value * math.prod((s - other) / (place - other) for other in others)

@@ -132,12 +132,31 @@ def equilibrium(
     if model.chain.floating:
         p = model.chain.parameters.vector(parameters)
         return floating_equilibrium(equilibrium, model, q, tau, w_ext, hold, p, free)
+    values = model.chain.parameters.vector(parameters)
+    found = _report(*rest_of(model, q, tau, w_ext, hold, values, free))
+    found.validity.warn()
+    warn_at_rest(model, found.q, found.tau, values)
+    return found
+
+
+def rest_of(
+    model: RobotModel,
+    q: Numbers | None,
+    tau: Numbers | None,
+    w_ext: Any,
+    hold: Hold,
+    values: np.ndarray,
+    free: Sequence[str] = (),
+) -> tuple[Statics, Balance, np.ndarray, Asked, np.ndarray]:
+    """What :func:`equilibrium` finds of a robot on a fixed base at parameters (n,), without report and warnings.
+
+    The forces, the rest, which joints are held (n_joints,) of bool, what was asked for, and which joints may be stated.
+    """
     m = model.n_joints
     if model.nq > MOST:
         raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")
     alone = q is not None and np.size(q) == m != model.nq
     start = model.chain.with_inner(checked(q, "q", m), model.parameter_values) if alone else checked(q, "q", model.nq)
-    values = model.chain.parameters.vector(parameters)
     wanted = asked(model, hold, free, stiffness(model, values)[:m] > 0)
     start, stated = closed_start(model, values, start, wanted.at_all, wanted.preferred)
     refuse_followers(model, wanted, stated)
@@ -146,11 +165,7 @@ def equilibrium(
     _refuse_brakes(model, torques, held)
     values = model.chain.fallen(values, torques)
     w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
-    statics, b = rest(model, values, torques, w_ext, held, start)
-    found = _report(statics, b, held, wanted, stated)
-    found.validity.warn()
-    warn_at_rest(model, found.q, found.tau, values)
-    return found
+    return *rest(model, values, torques, w_ext, held, start), held, wanted, stated
 
 
 def _refuse_brakes(model: RobotModel, tau: np.ndarray, held: np.ndarray) -> None:

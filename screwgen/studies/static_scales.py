@@ -21,6 +21,9 @@ from ..topology.chain import Chain
 from ..topology.tree import BASE
 from .stiffness import stiffness, stiffness_matrix
 
+KEPT = 16
+"""Parameters of a robot for which is kept what its coordinates carry."""
+
 
 class Carried(NamedTuple):
     """What every coordinate of a robot carries."""
@@ -37,14 +40,22 @@ class Carried(NamedTuple):
 
 def carried(model: RobotModel, p: np.ndarray, reach: np.ndarray) -> Carried:
     """What coordinates carry where all are zero; `reach` (nq,): the change of each that is a turn of about 1 rad."""
+    kept, key = model.once("carried", dict[bytes, tuple[np.ndarray, np.ndarray]]), p[3:].tobytes()
+    if key not in kept:  # a fit asks for many rests of a few robots
+        if len(kept) >= KEPT:
+            kept.clear()
+        kept[key] = _masses(model, p)
+    return Carried(*kept[key], 1 / reach, _behind(model.chain)[_links(model.chain)])
+
+
+def _masses(model: RobotModel, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(nq,): the mass that each coordinate carries, and its lever."""
     straight, chain = np.zeros(model.nq), model.chain
-    links = _behind(chain)[_links(chain)]
     falling = np.concatenate([[0.0, 0.0, -1.0], p[3:]])
     weights = np.array(model.statics(straight, np.zeros((6, chain.n)), falling)[4])[3:]
     mass = np.linalg.norm(weights, axis=0)[_links(chain)]
     inertia = np.diag(model.numpy(p).mass_matrix(straight))
-    lever = np.sqrt(np.divide(inertia, mass, out=np.ones(len(mass)), where=mass > 0))
-    return Carried(mass, lever, 1 / reach, links)
+    return mass, np.sqrt(np.divide(inertia, mass, out=np.ones(len(mass)), where=mass > 0))
 
 
 def _links(chain: Chain) -> np.ndarray:

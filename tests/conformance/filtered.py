@@ -83,6 +83,7 @@ def measured_by_functions(case: Case, e: Estimator) -> dict[str, np.ndarray]:
     found = {
         "gyro": f.gyro(q, v),
         "marker_position": f.marker_pose(q)[1],
+        "point_position": f.marker_pose(q)[1] + f.marker_pose(q)[0] @ np.full(3, 0.02),
         "marker_velocity": f.marker_velocity(q, v),
         "marker_range": np.linalg.norm(f.marker_pose(q)[1] - 0.02, axis=1)[:, None],
     }

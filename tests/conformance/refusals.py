@@ -31,7 +31,7 @@ REFUSALS: tuple[Refusal, ...] = (
     ),
     Refusal(
         *("identification", (), "are not identified yet"),
-        why="starts of windows would leave loops open, and do not add up on bases that move and ball joints",
+        why="starts of windows would leave loops open, and bases that move as is given follow no reading",
         large=True,
     ),
     Refusal("C, fused", (), "would be one function of", "compilers take long over one function so large", large=True),

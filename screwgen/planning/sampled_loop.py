@@ -22,6 +22,11 @@ class LoopGains(NamedTuple):
     ki: np.ndarray | None = None
     """None: nothing is summed up."""
 
+    @property
+    def locked(self) -> np.ndarray:
+        """The joints whose `kp` is infinite."""
+        return np.isinf(self.kp)
+
     def times(self, factor: float) -> LoopGains:
         """All gains times a factor."""
         return LoopGains(factor * self.kp, factor * self.kd, None if self.ki is None else factor * self.ki)

@@ -13,9 +13,10 @@ from ..errors import UsageError
 from ..robot_model import RobotModel
 from .members import Still
 from .refusals import refuse_robot
+from .sampled_loop import LoopGains
 from .scheduled_shaper import FittedMode, ScheduledShaper
 from .shapers import KINDS
-from .vibrations import LoopGains, Vibrations, followed, poles, slowest, vibrations
+from .vibrations import DampedModes, followed, poles, slowest, vibrations
 
 DEGREE, MOST_MODES, MOST_TERMS = 4, 3, 500
 CHECKED = 50
@@ -93,7 +94,7 @@ class Arm:
         self.varied = np.flatnonzero(low < high)
         self.middles: dict[float, tuple[Still, np.ndarray]] = {}
 
-    def vibrations(self, places: np.ndarray, modes: int) -> list[Vibrations]:
+    def vibrations(self, places: np.ndarray, modes: int) -> list[DampedModes]:
         """At each place (places, V)."""
         return [vibrations(self._followed(place, modes)) for place in places]
 

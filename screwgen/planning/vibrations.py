@@ -8,33 +8,21 @@ import numpy as np
 
 from ..errors import UsageError
 from .members import Still
+from .sampled_loop import LoopGains
 
 SWINGING = 0.5
 """Damping ratios above this die away within a period: they need no shaper."""
 SLOWEST = 1e-3
 """Hz: below this a motion counts as one that no spring resists."""
-
-
 GROWTH = 1e-6
 """The ratio to the largest pole at which growth is rounding."""
 
 
-class Vibrations(NamedTuple):
+class DampedModes(NamedTuple):
     """Motions that swing: natural frequencies, Hz, and damping ratios (modes,) each."""
 
     frequencies: np.ndarray
     damping: np.ndarray
-
-
-class LoopGains(NamedTuple):
-    """The gains of the joints (n_joints,); those with an infinite `kp` are locked."""
-
-    kp: np.ndarray
-    kd: np.ndarray
-
-    @property
-    def locked(self) -> np.ndarray:
-        return np.isinf(self.kp)
 
 
 def poles(still: Still, joints: np.ndarray, loop: LoopGains) -> np.ndarray:
@@ -69,10 +57,10 @@ def followed(before: np.ndarray, found: np.ndarray, joints: np.ndarray) -> np.nd
     return found[linear_sum_assignment(np.abs(before[:, None] - found) / np.abs(before)[:, None])[1]]
 
 
-def vibrations(found: np.ndarray) -> Vibrations:
+def vibrations(found: np.ndarray) -> DampedModes:
     """Poles as frequencies and damping ratios."""
     size = np.abs(found)
-    return Vibrations(size / (2 * np.pi), np.maximum(-found.real / size, 0.0))
+    return DampedModes(size / (2 * np.pi), np.maximum(-found.real / size, 0.0))
 
 
 def _listed(joints: np.ndarray) -> str:

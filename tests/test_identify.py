@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from helpers import example_file
+from helpers import arm, example_file, model_of
 from identified_arms import SENSORS, TRUE, elsewhere, logged, pendulum, swing, torque
 
 import screwgen
@@ -131,3 +131,20 @@ def test_a_number_that_the_file_states_with_others_is_refused_before_the_fit(tmp
     told = capsys.readouterr().err
     assert "forearm.EIz is stated together with others; state it by a number of its own" in told
     assert not (tmp_path / "out.toml").exists()
+
+
+def test_a_gear_is_identified_though_nothing_measures_its_rotor():
+    """Windows begin with the rotor where the gear bears the joint, not at zero."""
+    drive = {"ratio": 50.0, "rotor_inertia": 1e-4, "stiffness": 900.0, "damping": 1.0, "friction": {"viscous": 1e-3}}
+    rod = {"name": "rod", "length": 0.5, "bodies": [{"at": "tip", "mass": 2.0}]}
+    model = model_of(arm({**rod, "joint": {"axes": ["z"], "drives": [drive]}}, gravity=[0.0, -9.81, 0.0]))
+    true = {"rod.joint.drives[0].stiffness": 700.0, "rod.bodies[0].mass": 2.5}
+    q0, torque = (
+        model.chain.with_inner([0.7], model.parameter_values),
+        lambda t, q, v: [0.2 * np.sin(9 * t) - v[1] / 99],
+    )
+    run = screwgen.simulate(model, 2.0, 1e-3, q0=q0, controller=torque, parameters=true)
+    log = Log("gear.csv", run.t, {"rod.joint[0]": run.q[:, 0], "rod.torque[0]": run.tau[:, 0]})
+    found = screwgen.identify(model, log, free=list(true))
+    for name, value in true.items():
+        assert found[name].value == pytest.approx(value, rel=2e-3), name

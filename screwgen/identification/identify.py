@@ -31,7 +31,7 @@ from .words import direction_in_words
 
 SHORTER, OFF = (10.0, 3.0, 1.0), 0.3
 """How many times shorter windows are, one after the other, where the first fit leaves more than this share of the
-variation of a sensor: over a second a fast vibration with wrong numbers may be a period off."""
+variation of a sensor, or does not converge: over a second a fast vibration with wrong numbers may be a period off."""
 NOTHING = Columns.model_construct(columns=())
 """The columns where there is no log."""
 ROUNDS = 2
@@ -161,21 +161,34 @@ class NumberSearch:
     progress: Callable[[str], None] | None
 
     def best(self) -> tuple[Fit, Estimate]:
-        """The fit and its estimate; where it explains little, that to which shorter windows lead if it is better."""
-        start = np.zeros(len(self.asked))
-        first = self.begun_anew(self.window, start)
-        if not self.logs or self.columns.static or first[0].worst(first[1]) < OFF or first[1].stopped == INTERRUPTED:
-            return first
-        sought, history = start, first[1].history
+        """The fit and its estimate; where it is off or does not converge, that to which shorter windows lead."""
+        sought, tried, refused = np.zeros(len(self.asked)), list[tuple[Fit, Estimate]](), UsageError("")
+        try:
+            tried.append(self.begun_anew(self.window, sought))
+            if self._sound(*tried[0]):
+                return tried[0]
+        except UsageError as error:  # with the numbers of the start no motion lasts so long
+            if not self.logs or self.columns.static:
+                raise
+            refused = error
+        history = tried[0][1].history if tried else []
         try:
             for shorter in SHORTER:
                 other = self.begun_anew(self.window / shorter, sought)
                 sought, history = other[1].sought, history + other[1].history
         except UsageError:  # so few samples are no window, or what they lead to diverges
-            return first
-        best = min(first, other, key=lambda x: x[0].worst(x[1]))
+            if not tried:
+                raise refused from None
+            return tried[0]
+        best = min(*tried, other, key=lambda x: x[0].worst(x[1])) if tried else other
         best[1].history = history
         return best
+
+    def _sound(self, fit: Fit, at: Estimate) -> bool:
+        """Whether shorter windows can help no more: a fit that converged and leaves little, or that was interrupted."""
+        if not self.logs or self.columns.static or at.stopped == INTERRUPTED:
+            return True
+        return not at.stopped and fit.worst(at) < OFF
 
     def begun_anew(self, window: float, sought: np.ndarray) -> tuple[Fit, Estimate]:
         """The fit from some numbers on; where numbers of sensors changed, windows begin anew."""

@@ -22,10 +22,11 @@ from .signals import SensorSignal, Signals
 
 WIDE = 3.0
 """How many times more than its neighbours say a smoothed reading may be off."""
-FAR, QUICK, BENT, SLIPPED = 10.0, 10.0, 0.1, 1e-3
+FAR, QUICK, BENT, SLIPPED, TWISTED = 10.0, 10.0, 0.1, 1e-3, 0.02
 """What is known of a state that nothing measures: joints are within 10 rad (m) and their rates within 10 times that per
 second; the softest mode of a link is within 10 % of its length, others bend as under the same load, at their own
-frequencies; states of friction are within 1e-3 rad (m)."""
+frequencies; states of friction are within 1e-3 rad (m); gears stretch by 0.02 rad (m) at their joints, ten times that
+per second."""
 ROUNDS = 6
 STEP = 1e-6
 
@@ -162,12 +163,15 @@ def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray) 
     for k, sensor in enumerate(plain):
         if (one := signals.signals[sensor]).kind in ("q", "v"):
             x[one.place + model.nq * (one.kind == "v")] = value[k] * UNITS[one.column.unit]
+    if chain.n_added:
+        for first, at in ((chain.base_q, chain.q_offset[-1]), (n + chain.base_v, n + chain.eta_v - chain.n_added)):
+            x[at : at + chain.n_added] = np.multiply(chain.ratios(p), x[first:][chain.added_joints])
     x[:n] = chain.unit(x[:n])
     held = np.zeros(len(wide), bool)
     for joint, (at_q, at_v, _) in experiment.moved.items():
         x[at_q], x[model.nq + at_v] = (curve[first] for curve in experiment.given[joint])
         held[[at_v, nv + at_v]] = True
-    middle, _ = _at_rest(model, p)
+    (middle, _), likely = _at_rest(model, p), _likely(chain, p, wide)
     free = np.flatnonzero(~held)
     by_q = [not _needs_rates(signals.signals[k]) for k in plain]
     for _ in range(ROUNDS):
@@ -178,8 +182,8 @@ def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray) 
         by_rate = np.zeros((len(moving), len(wide)))
         by_rate[:, nv : 2 * nv] = H[moving][:, :nv]
         rates = by_rate[:, nv : 2 * nv] @ x[n : n + nv]
-        rows += [(rate[moving] - rates) / of_rate[moving], (change_between(chain, x, middle) / wide)[free]]
-        slopes += [by_rate / of_rate[moving, None], np.diag(1 / wide)[free]]
+        rows += [(rate[moving] - rates) / of_rate[moving], (likely @ change_between(chain, x, middle))[free]]
+        slopes += [by_rate / of_rate[moving, None], likely[free]]
         A, b = np.vstack(slopes)[:, free], np.concatenate(rows)
         step_of_all = np.zeros(len(wide))
         step_of_all[free] = np.linalg.lstsq(A, b, rcond=None)[0]
@@ -187,6 +191,16 @@ def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray) 
     deviation = np.zeros(len(wide))
     deviation[free] = np.sqrt(np.diag(np.linalg.inv(A.T @ A)))
     return StartState(x, deviation)
+
+
+def _likely(chain: Chain, p: np.ndarray, wide: np.ndarray) -> np.ndarray:
+    """(changes, changes): what is as large as 1 in a likely change that nothing measures, of rotors the stretch."""
+    out, nv = np.diag(1 / wide), chain.nv
+    for k, (joint, ratio) in enumerate(zip(chain.added_joints, chain.ratios(p), strict=True)):
+        rotor, size = chain.eta_v - chain.n_added + k, TWISTED * (ratio or 1.0)
+        for first, most in ((0, size), (nv, QUICK * size)):
+            out[first + rotor, [first + rotor, first + chain.base_v + joint]] = 1 / most, -ratio / most
+    return out
 
 
 def _needs_rates(one: SensorSignal) -> bool:

@@ -148,3 +148,12 @@ def test_a_gear_is_identified_though_nothing_measures_its_rotor():
     found = screwgen.identify(model, log, free=list(true))
     for name, value in true.items():
         assert found[name].value == pytest.approx(value, rel=2e-3), name
+
+
+@pytest.mark.parametrize("part", ["5:9", "2:1"])
+def test_a_part_outside_of_the_log_is_refused_in_a_line(tmp_path, part):
+    t = np.linspace(0.0, 1.0, 101)
+    names = ",".join(["t", *(column.name for column in SENSORS.columns)])
+    np.savetxt(tmp_path / "log.csv", np.column_stack([t, t, t, t]), delimiter=",", header=names, comments="")
+    with pytest.raises(screwgen.UsageError, match=r"log\.csv: has 0 samples from"):
+        screwgen.identify(pendulum(), f"{tmp_path / 'log.csv'}@{part}", free=["rod.EIz"], sensors=SENSORS)

@@ -54,6 +54,9 @@ class Log:
 
     def part(self, start: float, end: float) -> Log:
         """The samples from a time to another, s, the end excluded."""
+        if len(self) < 2 and not self.static:
+            ahead = f"{self.name}: has {len(self)} samples from {start:g} to {end:g} s"
+            raise UsageError(f"{ahead}; name a part of the log, {LEAST} samples or more")
         chosen = (self.t >= start - self.step / 2) & (self.t < end - self.step / 2)
         least, unit, rows = (1, "", "rows") if self.static else (LEAST, " s", "samples")
         if (found := chosen.sum()) < least:

@@ -91,9 +91,7 @@ def test_what_no_motion_tells_is_not_determined():
     assert [np.isinf(x) for x in of.values()] == ["viscous" not in name for name in of]
     assert np.isnan(found.narrower) and len(found.undetermined) == 1
     lines = found.summary().splitlines()
-    assert sum("not determined, by a random motion not determined" in x for x in lines) == 2 and "± 0" not in "".join(
-        lines
-    )
+    assert sum("not determined, by a random motion not determined" in x for x in lines) == 2
     assert lines[-1] == "of 3 numbers 2 are not determined, by a random motion 2"
 
 

@@ -175,7 +175,7 @@ def test_numbers_of_states_that_make_no_sense_get_a_line():
 
 
 def test_numbers_that_decide_what_a_step_holds_are_refused():
-    """A limit of an effort acts on the input before the dynamics, whose derivative by it would be 0; a stop's does not."""
+    """A limit of an effort acts before the dynamics, whose derivative by it would be 0; a stop acts in them."""
     limits = {"effort": 3.0, "upper": 1.0, "stiffness": 100.0, "damping": 1.0}
     link = {"name": "rod", "length": 0.5, "bodies": [{"at": "tip", "mass": 1.0}]}
     model = model_of(arm(link | {"joint": {"axes": ["z"], "limits": [limits]}}))

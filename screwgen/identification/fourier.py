@@ -15,8 +15,9 @@ MOST = 10
 class FourierSeries:
     """Series over `time` seconds of frequencies up to `bandwidth`, Hz, at samples of `step` seconds.
 
-    They end at the sample that is nearest to `time`. A series is a sum of `size` functions. Each function is zero at both ends, with its rate and its acceleration, and
-    independent standard normal factors give all harmonics the same share of the rate.
+    They end at the sample that is nearest to `time`. A series is a sum of `size` functions. Each function is zero at
+    both ends, with its rate and its acceleration, and independent standard normal factors give all harmonics the same
+    share of the rate.
     """
 
     def __init__(self, time: float, step: float, bandwidth: float):

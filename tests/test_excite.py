@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from helpers import arm, model_of
 from identified_arms import SENSORS, TRUE, elsewhere, pendulum
 
 import screwgen
@@ -56,6 +57,42 @@ def test_series_begin_and_end_at_rest_and_have_the_rates_of_their_values():
         assert np.abs(curve[[0, -1]]).max() < 1e-12 * np.abs(curve).max()
     assert np.gradient(q, STEP)[1:-1] == pytest.approx(v[1:-1], abs=1e-3 * np.abs(v).max())
     assert np.gradient(v, STEP)[1:-1] == pytest.approx(a[1:-1], abs=1e-3 * np.abs(a).max())
+
+
+def test_series_whose_time_is_no_whole_number_of_steps_end_at_rest():
+    series = FourierSeries(1.0, 3e-3, 6.0)
+    for basis in (series.values, series.rates, series.accelerations):
+        assert np.abs(basis[[0, -1]]).max() < 1e-12 * np.abs(basis).max()
+
+
+@pytest.mark.parametrize(
+    ("stated", "words"),
+    [
+        (
+            {"bandwidth": 3000.0},
+            "bandwidth: is 3000 Hz, and samples are 0.001 s apart; state a tenth of the sample rate",
+        ),
+        ({"time": 0.01}, "time: is 0.01 s; a motion takes 20 steps at least, 0.02 s"),
+    ],
+)
+def test_frequencies_that_samples_do_not_show_are_refused(stated, words):
+    with pytest.raises(UsageError, match=words):
+        screwgen.excite(pendulum(), free=FREE, limits=LIMITS, start=[-1.5], **stated)
+
+
+def test_what_no_motion_tells_is_not_determined():
+    """Two masses at one point add up: no motion tells them apart."""
+    joint = {"axes": ["z"], "drives": [{"friction": {"viscous": 0.2}}]}
+    bodies = [{"at": "tip", "mass": 0.5}, {"at": "tip", "mass": 0.3}]
+    model = model_of(arm({"name": "rod", "length": 1.0, "joint": joint, "bodies": bodies}))
+    free = ["*.mass", "*.viscous"]
+    found = screwgen.excite(model, free=free, limits=LIMITS, time=1.0, start=[-1.5], generations=0)
+    of = dict(zip((one.name for one in found.unknowns), found.deviation, strict=True))
+    assert [np.isinf(x) for x in of.values()] == ["viscous" not in name for name in of]
+    assert np.isnan(found.narrower) and len(found.undetermined) == 1
+    lines = found.summary().splitlines()
+    assert sum("not determined, by a random motion not determined" in x for x in lines) == 2
+    assert lines[-1] == "of 3 numbers 2 are not determined, by a random motion 2"
 
 
 def test_the_widest_interval_is_three_times_narrower_than_by_a_random_motion_in_fits(found):

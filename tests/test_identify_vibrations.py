@@ -10,6 +10,7 @@ from identified_arms import SENSORS, TRUE, elsewhere, swing
 import screwgen
 from screwgen.cli.main import main
 from screwgen.errors import UsageError
+from screwgen.identification.vibration_tests import vibrations
 from screwgen.spec.vibrations import Vibrations
 
 LENGTH, RHO_A, EI, RATIO = 0.7, 0.4, 12.0, 0.015
@@ -84,6 +85,22 @@ def test_the_command_takes_a_table_alone(tmp_path, capsys):
     assert json.loads(page.with_suffix(".json").read_text())["vibrations"][0]["mode"] == 1
     table.write_text("[[tests]]\nfrequencies = [1.0, 2.0]\nmodes = [1, 1]\n")
     assert main(asked) == 2 and "hammer.toml: tests[0].modes: names a mode twice" in capsys.readouterr().err
+
+
+def test_dry_friction_is_no_damping_of_vibrations_and_viscous_friction_is():
+    def free(**friction):
+        rod = {"name": "rod", "length": LENGTH, "section": {"rhoA": RHO_A, "EIz": EI}, "modes": {"bending_y": 2}}
+        joint = {"axes": ["z"], "drives": [{"friction": {"viscous": 0.01} | friction}]}
+        model = model_of(arm(rod | {"joint": joint, "damping": {"ratio": RATIO}}))
+        test = hammer(frequencies=[1.0], damping=[RATIO], joints="free").tests[0]
+        return vibrations(model, test, np.array(model.chain.home, float), np.array(model.parameter_values))
+
+    plain = free()
+    falls = {"stribeck": {"static": 5.0, "velocity": 0.1}}
+    remembers = {"memory": {"stiffness": 1e-9, "damping": 2.0}}
+    for dry in ({"velocity": 0.01}, {"velocity": 0.01} | falls, remembers):
+        assert free(coulomb=3.0, **dry) == pytest.approx(plain, rel=1e-6)
+    assert free(viscous=0.1)[0, 1] > 1.1 * plain[0, 1]
 
 
 @pytest.mark.parametrize(

@@ -70,6 +70,16 @@ def test_other_columns_are_refused(tmp_path, head, said):
     assert said in str(caught.value) and "\n" not in str(caught.value)
 
 
+def test_a_rotation_vector_that_jumps_by_a_turn_is_refused(tmp_path):
+    """A base that turns on, whose angle is kept between -pi and pi."""
+    sea = SEA.copy()
+    sea[:, 3], sea[:, 4:] = (8.0 * T + np.pi) % (2 * np.pi) - np.pi, 0.0
+    head = "t,base.x,base.y,base.z,base.rx,base.ry,base.rz"
+    said = r"m\.csv: base\.rx, base\.ry, base\.rz change by 6\.12 rad from row 20 to the next, more than half a turn"
+    with pytest.raises(UsageError, match=said):
+        read_motion(written(tmp_path / "m.csv", head, T, sea), afloat())
+
+
 def test_a_robot_that_is_driven_by_torques_has_no_given_motion(tmp_path):
     with pytest.raises(UsageError, match=r"m\.csv: nothing of this robot moves as is given"):
         read_motion(written(tmp_path / "m.csv", "t,bob.joint[0]", T, T), model_of(arm(link("bob", 0.8, "y"))))

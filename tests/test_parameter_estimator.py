@@ -174,6 +174,25 @@ def test_numbers_of_states_that_make_no_sense_get_a_line():
         ParameterState(PAYLOAD, 1.0, lower=2.0, upper=1.0)
 
 
+def test_numbers_that_decide_what_a_step_holds_are_refused():
+    """A limit of an effort acts before the dynamics, whose derivative by it would be 0; a stop acts in them."""
+    limits = {"effort": 3.0, "upper": 1.0, "stiffness": 100.0, "damping": 1.0}
+    link = {"name": "rod", "length": 0.5, "bodies": [{"at": "tip", "mass": 1.0}]}
+    model = model_of(arm(link | {"joint": {"axes": ["z"], "limits": [limits]}}))
+    with pytest.raises(UsageError, match=r"states: rod\.joint\.limits\[0\]\.effort decides what a step holds"):
+        ParameterEstimator(model, [ParameterState("rod.joint.limits[0].effort", 0.1)])
+    found = ParameterEstimator(model, [ParameterState("rod.joint.limits[0].upper", 0.1)], measurements=["encoder"])
+    q, still, nothing = np.array([1.1]), np.zeros(1), np.zeros((1, 6))
+    slope = found._accelerations_by_p(q, still, still, nothing)
+    low, high = (
+        model.numpy(model.chain.parameters.vector({"rod.joint.limits[0].upper": x})).forward_dynamics(
+            q, still, still, nothing
+        )[0]
+        for x in (1.0 - 1e-6, 1.0 + 1e-6)
+    )
+    assert slope[:, 0] == pytest.approx((high - low) / 2e-6, rel=1e-6) and slope[0, 0] > 1.0
+
+
 def test_loops_are_refused():
     with pytest.raises(UsageError, match="loops"):
         ParameterEstimator(screwgen.derive(screwgen.load(example_file("parallelogram"))), [ParameterState("x", 1.0)])

@@ -118,6 +118,27 @@ def test_what_is_not_linear_is_left_out_and_changes_the_rest_alone():
     assert Y @ found.values + rest == pytest.approx(force, abs=1e-10 * np.abs(force).max())
 
 
+def test_numbers_of_laws_that_act_seldom_are_found_in_all_states():
+    """Friction that falls within 0.01 rad/s, and a stop beyond the random states."""
+    falls = {"coulomb": 0.3, "velocity": 0.002, "stribeck": {"static": 0.5, "velocity": 0.01}}
+    link = {"name": "link", "length": 0.5, "bodies": [body(0)]}
+    joint = {"axes": ["z"], "drives": [{"friction": falls}]}
+    stop = {"upper": 2.5, "stiffness": 100.0, "damping": 1.0}
+    robot = {"name": "stopped", "gravity": list(GRAVITY)}
+    model = model_of(robot | {"links": [link | {"joint": joint | {"limits": [stop]}}]})
+    found = model.regressor("link.joint*")
+    for name in ("friction.stribeck.velocity", "friction.velocity"):
+        assert f"link.joint.drives[0].{name}" in found.left_out
+    for key in ("upper", "stiffness", "damping"):  # a stop never pulls: its numbers decide together when it lets go
+        assert found.left_out[f"link.joint.limits[0].{key}"] == "forces are not linear in it"
+    assert "link.joint.drives[0].friction.stribeck.static" in found.names
+    other = dict(zip(found.names, (1.3 * found.values).tolist(), strict=True))
+    judge = model.numpy(model.chain.parameters.vector(other))
+    for state in (([0.3], [0.008], [0.0]), ([2.6], [0.5], [1.0])):
+        Y, rest = found(*state)
+        assert Y @ (1.3 * found.values) + rest == pytest.approx(judge.inverse_dynamics(*map(np.array, state), None))
+
+
 def test_the_function_generates_c(tmp_path, monkeypatch):
     require_tool("cc")
     monkeypatch.chdir(tmp_path)

@@ -32,7 +32,8 @@ class Excitation:
     unknowns: Unknowns
     """What is sought."""
     deviation: np.ndarray
-    """(k,): the standard deviations that a fit is to have, of logarithms or over scales."""
+    """(k,): the standard deviations that a fit is to have, of logarithms or over scales, infinite where the log does
+    not determine a number."""
     deviation_of_random: np.ndarray
     """(k,): those with the random motion."""
     undetermined: tuple[str, ...]
@@ -46,17 +47,28 @@ class Excitation:
 
     @property
     def narrower(self) -> float:
-        """How many times narrower the widest interval is than that of the random motion."""
-        return float(self.deviation_of_random.max() / self.deviation.max())
+        """How many times narrower the widest interval is than that of the random motion.
+
+        NaN where this motion leaves a number undetermined, infinite where the random motion alone does.
+        """
+        widest = float(self.deviation.max())
+        return float(self.deviation_of_random.max()) / widest if widest < np.inf else np.nan
 
     def summary(self) -> str:
         """The intervals that are to be expected, as text, a line each."""
         lines = []
         for one, own, other in zip(self.unknowns, self.deviation, self.deviation_of_random, strict=True):
             size, unit = (100.0, "%") if one.logarithmic else (one.scale, one.unit)
-            half = [f"± {WIDE * x * size:.2g} {unit}".rstrip() for x in (own, other)]
+            half = [
+                f"± {WIDE * x * size:.2g} {unit}".rstrip() if x < np.inf else "not determined" for x in (own, other)
+            ]
             lines.append(f"{one.name}: {half[0]}, by a random motion {half[1]}")
-        return "\n".join([*lines, f"the widest interval is {self.narrower:.1f} times narrower than by a random motion"])
+        if np.isfinite(self.narrower):
+            last = f"the widest interval is {self.narrower:.1f} times narrower than by a random motion"
+        else:
+            own, other = (int(np.isinf(x).sum()) for x in (self.deviation, self.deviation_of_random))
+            last = f"of {len(lines)} numbers {own} are not determined, by a random motion {other}"
+        return "\n".join([*lines, last])
 
     def write(self, stream: BinaryIO, path: str | os.PathLike[str]) -> None:
         """The motion as a file of the format that a path says: .npz has the plan, .csv the inputs of its run."""

@@ -33,7 +33,7 @@ from .logs import Log
 from .odd import of_inputs
 from .signals import Signals
 from .sources import columns_of
-from .uncertainty import lost_directions
+from .uncertainty import LOST, lost_directions
 from .unknowns import unknowns_of_logs
 from .words import direction_in_words
 
@@ -42,7 +42,11 @@ RANDOM = 16
 GENERATIONS = 40
 SLOW = 100
 """The samples of a period of the highest frequency, unless a bandwidth is stated."""
+FAST = 0.1
+"""The highest frequency over the sample rate at most."""
 LEAST = 1e-300
+ROUNDED, TOUCHED = 1e-14, 1e-6
+"""Information, over the largest, that is rounding; the entry of a direction from which a number takes part in it."""
 
 
 def excite(
@@ -66,7 +70,8 @@ def excite(
 
     `free`, `sensors`, `window` as of :func:`screwgen.identify`; without `sensors` the joints are measured and the
     inputs known, and a sensor without `noise` has a hundredth of how much it varies in a random motion. The joints move
-    along Fourier series about `start` (n_joints,) of frequencies up to `bandwidth`, Hz; both ends are at rest.
+    along Fourier series about `start` (n_joints,) of frequencies up to `bandwidth`, Hz, a tenth of the sample rate at
+    most; both ends are at rest.
     `limits`: `lower`, `upper`, `rates`, `efforts` (n_joints,) and `strains`, tighter ones than those of the robot file;
     `strain`: of all entries of `model.strain_names`. `gains`: the law under which the motion is played, as
     :class:`PD`; without, :func:`screwgen.gains` finds one. `progress` is told a line per generation; an interruption
@@ -83,8 +88,7 @@ def excite(
         raise UsageError(f"start: {begin.tolist()} is not within the joints' limits; state start between them")
     if not (np.isfinite(bounds.rates) | np.isfinite(bounds.upper - bounds.lower)).all():
         raise UsageError("limits: ranges and rates leave a joint free to go any way; state rates")
-    highest = 1.0 / (SLOW * step) if bandwidth is None else seconds(bandwidth, "bandwidth")
-    series = FourierSeries(time, step, highest)
+    series = _series(time, step, 1.0 / (SLOW * step) if bandwidth is None else seconds(bandwidth, "bandwidth"))
     maker = MotionMaker(model, series, begin, bounds, np.asarray(model.chain.parameters.values))
     law = gains if gains is not None else found_gains(model, [begin], step=step)
     rng = np.random.default_rng(whole(seed, "seed", 0))
@@ -130,6 +134,16 @@ def _limits(model: RobotModel, given: Mapping[str, Any], strain: float) -> Motio
     if not strain > 0:
         raise UsageError(f"strain: is {strain}; it must be a number > 0")
     return replace(own, strains=np.minimum(own.strains, strain))
+
+
+def _series(time: float, step: float, bandwidth: float) -> FourierSeries:
+    """The series of the joints; refuses frequencies of which samples do not show the motion."""
+    if bandwidth > FAST / step * (1.0 + 1e-9):
+        said = f"bandwidth: is {bandwidth:g} Hz, and samples are {step:g} s apart"
+        raise UsageError(f"{said}; state a tenth of the sample rate at most, {FAST / step:g} Hz, or a shorter step")
+    if time * FAST < 2 * step * (1.0 - 1e-9):
+        raise UsageError(f"time: is {time:g} s; a motion takes 20 steps at least, {20 * step:g} s")
+    return FourierSeries(time, step, bandwidth)
 
 
 def _columns(model: RobotModel, sensors: str | os.PathLike[str] | Columns | None) -> Columns:
@@ -192,8 +206,12 @@ def _worst(bench: Bench, made: Motions, step: float) -> np.ndarray:
 
 
 def _deviation(information: np.ndarray) -> np.ndarray:
-    """(k,): standard deviations of what is sought."""
-    return np.asarray(np.sqrt(np.maximum(np.diag(np.linalg.pinv(information, hermitian=True)), 0.0)))
+    """(k,): standard deviations of what is sought; infinite where it is not determined."""
+    values, vectors = np.linalg.eigh(information)
+    told = values > ROUNDED * values.max()
+    lost = (np.abs(vectors[:, ~told]) > TOUCHED).any(axis=1)
+    deviation = np.sqrt(vectors[:, told] ** 2 @ (1.0 / values[told]))
+    return np.where(lost | (deviation > LOST), np.inf, deviation)
 
 
 def _plan(maker: MotionMaker, made: Motions, lane: int, law: Any) -> MotionPlan:

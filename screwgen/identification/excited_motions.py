@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -16,10 +15,10 @@ from ..errors import UsageError
 from ..planning.members import Still
 from ..planning.task import MotionLimits
 from ..robot_model import RobotModel
+from ..simulation.feedforward import moved_model
 from ..simulation.measured import strain
 from ..simulation.rollout import rollout
 from ..simulation.runs import Run
-from ..spec.joint import MOTION, Joint
 from .fourier import FourierSeries
 
 ROUNDS, LESS, LEAST = 12, 0.98, 0.02
@@ -66,14 +65,10 @@ class MotionMaker:
         self.step = float(series.t[1])
         self.rest = Still(model, parameters).held(start)
 
-    @cached_property
+    @property
     def led(self) -> RobotModel:
         """The robot whose joints move as is given."""
-        robot = self.model.robot
-        links = [
-            link.model_copy(update={"joint": link.joint.model_copy(update=_led(link.joint))}) for link in robot.links
-        ]
-        return type(self.model)(robot.model_copy(update={"links": tuple(links)}))
+        return moved_model(self.model)
 
     @property
     def size(self) -> int:
@@ -134,7 +129,3 @@ class MotionMaker:
             bent = np.abs(strain(self.model, made.q, self.p)).max(axis=1)
             share = np.maximum(share, (bent / self.limits.strains).max(axis=1))
         return np.where(np.isnan(share), np.inf, share) / HEADROOM
-
-
-def _led(joint: Joint) -> dict[str, object]:
-    return {"actuation": (MOTION,) * len(joint.axes)} if joint.axes else {}

@@ -15,15 +15,16 @@ MOST = 10
 class FourierSeries:
     """Series over `time` seconds of frequencies up to `bandwidth`, Hz, at samples of `step` seconds.
 
-    A series is a sum of `size` functions. Each function is zero at both ends, with its rate and its acceleration, and
-    independent standard normal factors give all harmonics the same share of the rate.
+    They end at the sample that is nearest to `time`. A series is a sum of `size` functions. Each function is zero at
+    both ends, with its rate and its acceleration, and independent standard normal factors give all harmonics the same
+    share of the rate.
     """
 
     def __init__(self, time: float, step: float, bandwidth: float):
-        highest = max(2, int(bandwidth * time + 1e-9))
-        self.t = step * np.arange(round(time / step) + 1)
+        self.t = step * np.arange(max(1, round(time / step)) + 1)
+        highest = max(2, int(bandwidth * self.t[-1] + 1e-9))
         self.harmonics = np.unique(np.round(np.geomspace(1, highest, min(MOST, highest))).astype(int))
-        self.base = 2 * np.pi / time
+        self.base = 2 * np.pi / self.t[-1]
 
     @cached_property
     def _free(self) -> np.ndarray:

@@ -1,8 +1,9 @@
 """The regressor: efforts of a motion as a matrix times the parameters in which they are linear, and base parameters.
 
-Which parameters these are is found, not listed: forces are linear in those whose second derivatives vanish in random
-states. Two that multiply each other, as gravity and a mass, cannot both be among them: gravity and numbers of forces
-are left out first, then those that multiply most others.
+Which parameters these are is found, not listed: forces are linear in those whose second derivatives have no entry. A
+law that acts at some rates or beyond a limit alone has its entries in all states. Those of bodies may cancel, so where
+a number of a body takes part they are looked at in random states. Two that multiply each other, as gravity and a mass,
+cannot both be among them: gravity and numbers of forces are left out first, then those that multiply most others.
 """
 
 from __future__ import annotations
@@ -15,13 +16,13 @@ from typing import Any
 import numpy as np
 
 from ..arguments import Given, Loads, Numbers, array, matching
-from ..backends.casadi.regressor import forces_by_parameters, linear_parameters
+from ..backends.casadi.regressor import BODY, forces_by_parameters, linear_parameters
 from ..lazily import linalg
 from ..robot_model import RobotModel
 from ..spec.parameters import Parameter
 
 STATES, SEED = 12, 0
-"""Random states in which second derivatives are looked at."""
+"""Random states in which second derivatives with numbers of bodies are looked at."""
 BENT = 1e-9
 """The largest second derivative, over the largest change of forces, that counts as none."""
 MORE = 3
@@ -64,9 +65,17 @@ class Regressor:
         asked = matching(of, [one.name for one in own], "regressor: there is no parameter")
         self.model, self._random = model, RandomStates(model)
         _, bends = forces_by_parameters(chain, model.casadi(), asked)
-        chosen, self.left_out = _linear(own, asked, self._random.second_derivatives(bends, own, asked))
+        chosen, self.left_out = _linear(own, asked, self._bent(bends, own, asked))
         self.function, _ = forces_by_parameters(chain, model.casadi(), chosen)
         self._parameters = [own[k] for k in chosen]
+
+    def _bent(self, bends: Any, own: Sequence[Parameter], asked: Sequence[int]) -> np.ndarray:
+        """(k, k): whether there is a second derivative of forces by each two parameters."""
+        stored = np.zeros((len(asked), len(asked)), bool)
+        stored[bends.sparsity_out(0).get_triplet()] = True
+        of_body = np.array([own[k].field in BODY for k in asked])
+        cancels = self._random.second_derivatives(bends, own, asked) <= BENT
+        return stored & ~(cancels & (of_body | of_body[:, None]))
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -169,9 +178,8 @@ class RandomStates:
         return out
 
 
-def _linear(own: Sequence[Parameter], asked: Sequence[int], bends: np.ndarray) -> tuple[list[int], dict[str, str]]:
+def _linear(own: Sequence[Parameter], asked: Sequence[int], bent: np.ndarray) -> tuple[list[int], dict[str, str]]:
     """The parameters in which forces are linear together, and why others are not among them."""
-    bent = bends > BENT
     left = {own[asked[k]].name: "forces are not linear in it" for k in range(len(asked)) if bent[k, k]}
     there = [k for k in range(len(asked)) if not bent[k, k]]
     of_world = np.array([own[k].link is None for k in asked])

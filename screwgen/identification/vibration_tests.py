@@ -18,12 +18,17 @@ from scipy.optimize import linear_sum_assignment
 from ..errors import ScrewgenError, UsageError
 from ..robot_model import RobotModel
 from ..spec.load import one_line
+from ..spec.parameters import parameters
 from ..spec.vibrations import Vibrations, VibrationTest, load_vibrations
 from ..studies.modes import mode_shapes
 from .identification import MeasuredVibration
 from .problem import STEP, MeasuredCases, Problem
 from .unknowns import parameter_rows
 
+DRY = tuple(f"joint.drives.friction.{key}" for key in ("coulomb", "load", "stribeck.static", "memory.damping"))
+"""The parameters of dry friction. Its slope at rest is no damping of vibrations beyond the rate that smooths it."""
+NONE = 1e-12
+"""What is left of it, for numbers that must be positive."""
 REST = 1e-9
 """Frequencies below this share of the largest are rigid motions."""
 
@@ -121,7 +126,8 @@ def posture_of(model: RobotModel, name: str, test: VibrationTest) -> np.ndarray:
 def vibrations(model: RobotModel, test: VibrationTest, q: np.ndarray, p: np.ndarray) -> np.ndarray:
     """(count, 2): frequencies, Hz, and damping ratios of the model, without rigid motions.
 
-    The damping ratio of a mode φ of unit modal mass is φᵀ D φ / (2 ω): of the small vibrations that a blow makes.
+    The damping ratio of a mode φ of unit modal mass is φᵀ D φ / (2 ω): of the small vibrations that a blow makes. Dry
+    friction of drives is left out of D.
     """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # what bounds of the model say of a trial is no news
@@ -130,7 +136,8 @@ def vibrations(model: RobotModel, test: VibrationTest, q: np.ndarray, p: np.ndar
     there = own > REST * max(own.max(initial=0.0), 1e-300)
     ratio = np.full(len(own), np.nan)
     if test.damping is not None:
-        numeric, still = model.numpy(p), np.zeros(chain.nvz)
+        dry = [one.field in DRY for one in parameters(model.robot)]
+        numeric, still = model.numpy(np.where(dry, NONE * p, p)), np.zeros(chain.nvz)
         by_rate = numeric.derivatives(q, still, np.zeros(model.n_tau), np.zeros((model.n_links, 6)))[1][:n, :n]
         D = -numeric.mass_matrix(q) @ by_rate
         ratio = np.einsum("ik,ij,jk->k", found.shapes, D, found.shapes) / (4 * np.pi * np.maximum(own, 1e-300))

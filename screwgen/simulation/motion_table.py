@@ -22,7 +22,8 @@ def read_motion(path: str | os.PathLike[str], model: RobotModel) -> dict[str, Cu
 
     Its head names `t`, s, and coordinates as `model.q_names` has them, of axes with `actuation = "motion"`, rad or m,
     and of a moving base: all seven of its pose, or its place and a rotation vector, ``base.rx`` to ``base.rz``, rad.
-    A run's own CSV file is such a table where other columns are left out. Raises UsageError.
+    A run's own CSV file is such a table where other columns are left out. Raises UsageError, also where a rotation
+    vector changes by more than half a turn between rows.
     """
     chain, file = model.chain, one_line(os.fsdecode(path))
     if not (chain.prescribed or chain.moving):
@@ -40,8 +41,21 @@ def read_motion(path: str | os.PathLike[str], model: RobotModel) -> dict[str, Cu
             said = f"{file}: of the base it has {', '.join(given)}"
             raise UsageError(f"{said}; give all of {', '.join(pose)}, or of {', '.join(turned)}")
         whole = np.transpose([columns[name] for name in (pose if len(given) == 7 else turned)])
+        if len(given) == 6:
+            _refuse_turns(file, whole[:, 3:])
         curves[BASE] = interpolate.CubicSpline(t, _continuous(whole) if len(given) == 7 else whole)
     return curves
+
+
+def _refuse_turns(file: str, turn: np.ndarray) -> None:
+    """Refuse rotation vectors (k, 3) that jump between rows, as those that are kept within half a turn."""
+    way = np.linalg.norm(np.diff(turn, axis=0), axis=1)
+    if (way > np.pi).any():
+        k = int(np.argmax(way > np.pi))
+        said = (
+            f"{file}: {', '.join(TURN)} change by {way[k]:.3g} rad from row {k + 1} to the next, more than half a turn"
+        )
+        raise UsageError(f"{said}; let them grow beyond pi, give more rows, or a quaternion")
 
 
 def _continuous(pose: np.ndarray) -> np.ndarray:

@@ -18,6 +18,7 @@ from ..algorithms.measurement import Measurement
 from ..algorithms.measurement_slopes import expected_along
 from ..algorithms.parameter_slopes import Differentiable, along
 from ..algorithms.robot_functions import BY_NAME
+from ..algorithms.robot_programs import held_inputs
 from ..arguments import Given
 from ..errors import UsageError
 from ..ir.program import Program
@@ -54,7 +55,8 @@ LEAST = 1e-6
 class ParameterEstimator(Estimator):
     """The filter in NumPy over q, v and ``states``, parameters of the robot; the rest as of :class:`.Estimator`.
 
-    ``covariance`` has their rows behind those of v. Robots with loops are refused.
+    ``covariance`` has their rows behind those of v. Robots with loops are refused, and parameters of what a
+    step holds of its inputs, as limits of efforts.
     """
 
     def __init__(
@@ -70,6 +72,7 @@ class ParameterEstimator(Estimator):
         places = [model.chain.parameters.place(one.parameter) for one in self.states]
         if len(set(places)) < len(places) or not places:
             raise UsageError("states: each parameter must be named once, and one at least; leave out the others")
+        self._refuse_held(places)
         self._places, self._begin = places, self._p[places]
         own = model.chain.parameters
         least = np.where(own.least[places] == 0.0, np.maximum(0.0, LEAST * self._begin), -np.inf)
@@ -77,6 +80,15 @@ class ParameterEstimator(Estimator):
         self._high = np.array([one.upper for one in self.states])
         if ((self._begin < self._low) | (self._begin > self._high)).any():
             raise UsageError(f"states: values at the start, {self._begin.tolist()}, are not within their bounds")
+
+    def _refuse_held(self, places: Sequence[int]) -> None:
+        """Refuse parameters, at these places, of what a step holds of its inputs: derivatives are at held inputs."""
+        nodes = held_inputs(self.model.chain).nodes if self.model.chain.holds else ()
+        held = {node.args[1] for node in nodes if node.op == "input" and node.args[0] == "p"}
+        for one, place in zip(self.states, places, strict=True):
+            if place in held:
+                said = f"states: {one.parameter} decides what a step holds of its inputs"
+                raise UsageError(f"{said}, of which a filter has no derivative; state it in the robot file")
 
     @property
     def values(self) -> dict[str, float]:

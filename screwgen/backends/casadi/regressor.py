@@ -18,7 +18,7 @@ from .functions import function
 
 PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 """The entries of an inertia in their order."""
-KEYS = MASS, COM, INERTIA = "bodies.mass", "bodies.com", "bodies.inertia"
+BODY = MASS, COM, INERTIA = "bodies.mass", "bodies.com", "bodies.inertia"
 MOMENT, ABOUT_POINT = ".first_moment[", ".inertia_about_point["
 
 
@@ -51,7 +51,8 @@ def forces_by_parameters(
 
     ``regressor (q, v, vdot, w_ext, p) -> (Y, rest)``: by the chosen ones of :func:`linear_parameters`, at values p of
     the robot's own parameters. ``bends (q, v, vdot, w_ext, p, weights) -> (H)``: the second derivatives of the sum of
-    weighted forces.
+    weighted forces; an entry that is not stored is zero in all states and at all values of the parameters. Entries that
+    a comparison with a parameter decides are stored, though their derivative is zero but where it jumps.
     """
     dynamics, values = known["inverse_dynamics"], parameters(chain.robot)
     given = {name: ca.SX.sym(name, dynamics.sparsity_in(name)) for name in ("q", "v", "vdot", "w_ext")}
@@ -59,13 +60,14 @@ def forces_by_parameters(
     force = dynamics(*given.values(), _stated(chain, own))
     some = ca.vertcat(*[own[k] for k in chosen])
     slope = ca.jacobian(force, some)
-    bend = ca.jacobian(ca.gradient(ca.dot(weights, force), some), some)
+    by_weights = ca.gradient(ca.dot(weights, force), some)
+    bend = ca.project(ca.jacobian(by_weights, some), ca.jacobian_sparsity(by_weights, some))
     by_own = ca.Function("by_own", [*given.values(), own, weights], [slope, force - slope @ some, bend])
     p = ca.SX.sym("p", len(values))
     Y, rest, H = by_own(*given.values(), _linear(chain, p), weights)
     shown = given | {"p": p}
     return function("regressor", shown, Y=ca.densify(Y), rest=ca.densify(rest)), function(
-        "bends", shown | {"weights": weights}, H=ca.densify(H)
+        "bends", shown | {"weights": weights}, H=H
     )
 
 
@@ -73,8 +75,8 @@ def _bodies(chain: Chain) -> list[_Body]:
     """The bodies whose centre of mass is a parameter."""
     found: dict[tuple[int | None, int], dict[str, list[int]]] = {}
     for k, one in enumerate(parameters(chain.robot)):
-        if one.field in KEYS:
-            found.setdefault((one.link, one.index[0]), {key: [] for key in KEYS})[one.field].append(k)
+        if one.field in BODY:
+            found.setdefault((one.link, one.index[0]), {key: [] for key in BODY})[one.field].append(k)
     return [_Body(x[MASS][0], tuple(x[COM]), tuple(x[INERTIA])) for x in found.values() if x[MASS] and x[COM]]
 
 

@@ -196,3 +196,9 @@ def test_numbers_that_decide_what_a_step_holds_are_refused():
 def test_loops_are_refused():
     with pytest.raises(UsageError, match="loops"):
         ParameterEstimator(screwgen.derive(screwgen.load(example_file("parallelogram"))), [ParameterState("x", 1.0)])
+
+
+def test_a_filter_that_was_not_started_is_at_home_and_knows_its_parameters_as_stated():
+    found = ParameterEstimator(rod(), [ParameterState(PAYLOAD, 0.2)])
+    found.predict([1.0], None, 1e-3)
+    assert found.deviations[PAYLOAD] == pytest.approx(0.2) and found.values[PAYLOAD] == 0.5

@@ -22,6 +22,7 @@ from ..algorithms.robot_programs import held_inputs
 from ..arguments import Given
 from ..errors import UsageError
 from ..ir.program import Program
+from ..lazily import linalg
 from ..robot_model import RobotModel
 from .estimator import Compared, Estimator
 
@@ -80,6 +81,7 @@ class ParameterEstimator(Estimator):
         self._high = np.array([one.upper for one in self.states])
         if ((self._begin < self._low) | (self._begin > self._high)).any():
             raise UsageError(f"states: values at the start, {self._begin.tolist()}, are not within their bounds")
+        self._P = self._with_parameters(self._P)
 
     def _refuse_held(self, places: Sequence[int]) -> None:
         """Refuse parameters, at these places, of what a step holds of its inputs: derivatives are at held inputs."""
@@ -104,11 +106,11 @@ class ParameterEstimator(Estimator):
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None:
         super()._start(q, v, deviation_q, deviation_v)
         self._set_parameters(self._begin)
-        n, k = self.model.chain.n_changes, len(self.states)
-        P = np.zeros((n + k, n + k))
-        P[:n, :n] = self._P
-        P[range(n, n + k), range(n, n + k)] = [one.deviation**2 for one in self.states]
-        self._P = P
+        self._P = self._with_parameters(self._P)
+
+    def _with_parameters(self, P: np.ndarray) -> np.ndarray:
+        """A covariance of states with that of the parameters as they begin."""
+        return linalg.block_diag(P, np.diag([one.deviation**2 for one in self.states]))
 
     def put(self, q: Any, v: Any, P: Any) -> None:
         """Not of this filter: its covariance belongs to its parameters too."""

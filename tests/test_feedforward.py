@@ -145,6 +145,12 @@ def test_a_run_follows_its_path_with_the_efforts_ahead(tmp_path, capsys):
     ("q", "v", "said"),
     [
         ([[0.0, 0.0], [1.0, 0.0]], [[0.0, 0.0]] * 2, "joint 0 goes 1 from sample 0 to the next, with rates 0, 0"),
+        ([[0.0, 0.0], [0.01, 0.0]], [[1.0, 0.0]] * 2, "joint 0 begins with the rate 1; begin at rest"),
+        (
+            [[0.0, 0.0], [7.8e-6, 0.0]],
+            [[0.0, 0.0]] * 2,
+            "joint 0 goes 7.8e-06 from sample 0 to the next, with rates 0, 0",
+        ),
         ([[0.0, 0.0], [np.nan, 0.0]], [[0.0, 0.0]] * 2, "not finite"),
         ([[0.0, 0.0]], [[0.0, 0.0]], "has 1 sample; a motion has two"),
         ([[0.0], [0.0]], [[0.0], [0.0]], "q: of joints at samples: has 2 numbers; it must have 4"),
@@ -154,6 +160,15 @@ def test_references_that_are_no_motion_are_one_line(q, v, said):
     with pytest.raises(UsageError) as caught:
         screwgen.feedforward(boom(), q, v, 1e-2)
     assert said in str(caught.value) and "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("limit", "said"),
+    [({"effort": 2.0}, "whose limit is 2"), ({"lower": -0.1, "upper": 0.4}, "its limits are -0.1 and 0.4")],
+)
+def test_a_motion_beyond_what_joints_can_is_one_line(limit, said):
+    with pytest.raises(UsageError, match=said):
+        screwgen.feedforward(boom(limits=[limit]), *smooth(8e-3), 8e-3)
 
 
 @pytest.mark.parametrize(

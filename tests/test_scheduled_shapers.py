@@ -2,6 +2,7 @@
 
 import ctypes
 import subprocess
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,10 +16,12 @@ import screwgen
 from screwgen import UsageError
 from screwgen.cli.main import main
 from screwgen.planning.shaper_files import shaper_text
+from screwgen.simulation.integral_law import PID
 from screwgen.simulation.shaped import Shaped, read_shaped
+from screwgen.simulation.validity import ModelValidityWarning
 
 STRICT = "-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror -O2".split()
-OK, OUTSIDE, SKIPPED, BAD_ARGUMENT, NONFINITE, NOT_STARTED, BACKWARDS = range(7)
+OK, OUTSIDE, SKIPPED, BAD_ARGUMENT, NONFINITE, NOT_STARTED, CLOCK_JUMPED = range(7)
 STEP = 1e-3
 LAW = screwgen.PD((60.0,), (14.0,), (0.0,))
 NAN = float("nan")
@@ -118,6 +121,10 @@ class Published:
     joints, variables = ("trolley.slide[0]", "hoist.joint[0]", "hoist.slide[0]"), ("hoist.slide[0]",)
 
     @staticmethod
+    def outside(place):
+        return None
+
+    @staticmethod
     def at(place):
         return screwgen.shaper(np.sqrt(9.81 / place[0]) / (2 * np.pi))
 
@@ -202,7 +209,7 @@ def test_c_says_what_is_wrong_and_changes_nothing(of_ella, tmp_path):
     assert own.start(2.0, reference) == OK and own.sample(2.001, reference, place) == OK
     assert np.allclose(own.out, reference, atol=1e-15)
     before = bytes(own.state)
-    assert own.sample(2.001, reference, place) == own.sample(1.0, reference, place) == BACKWARDS
+    assert own.sample(2.001, reference, place) == own.sample(1.0, reference, place) == CLOCK_JUMPED
     for t, q, x in ((NAN, reference, place), (2.002, (NAN, 0, 0), place), (2.002, reference, (0, NAN, 0))):
         assert own.sample(t, q, x) == NONFINITE
     assert own._sample(ctypes.byref(own.state), ctypes.c_double(3.0), None, None, own.out) == BAD_ARGUMENT
@@ -210,10 +217,76 @@ def test_c_says_what_is_wrong_and_changes_nothing(of_ella, tmp_path):
     assert own.sample(2.002, reference, (9.0, 0.0, 0.0)) == OUTSIDE
     assert own.sample(2.008, (0.4, 0.2, 0.3), place) == SKIPPED
     assert own.sample(1e9, (1.0, 1.0, 1.0), place) == SKIPPED
-    assert own.sample(1e9 + 1e-3, (1.0, 1.0, 1.0), place) in (OK, BACKWARDS, SKIPPED)
+    assert own.sample(1e9 + 1e-3, (1.0, 1.0, 1.0), place) == OK
+
+
+@pytest.mark.parametrize("late", [0.4, 0.89, 1.11, 1.4, 2.6])
+def test_c_refuses_a_clock_between_its_steps(of_ella, tmp_path, late):
+    own, place = Compiled(of_ella, tmp_path), (0.0, 0.0, 0.0)
+    assert own.start(2.0, (0.1, 0.2, 0.3)) == OK
+    before = bytes(own.state)
+    assert own.sample(2.0 + late * STEP, (0.1, 0.2, 0.3), place) == CLOCK_JUMPED and bytes(own.state) == before
+    assert own.sample(2.0 + 1.05 * STEP, (0.1, 0.2, 0.3), place) == OK
+
+
+def test_c_fills_a_long_gap_with_a_straight_line(of_ella, tmp_path):
+    """The ring holds the last part of it, as if all had been given."""
+    own, place = Compiled(of_ella, tmp_path), (0.0, 0.0, 0.0)
+    python, steps = of_ella.sampled(STEP), 3 * of_ella.sampled(STEP).length
+    own.start(0.0, (0.0,) * 3)
+    python.start([0.0] * 3)
+    for k in range(1, steps + 1):
+        wanted = python([k / steps] * 3, place)
+    assert own.sample(steps * STEP, (1.0,) * 3, place) == SKIPPED
+    assert np.abs(np.array(own.out) - wanted).max() < 1e-12
+
+
+def test_c_refuses_references_that_measure_nothing(of_ella, tmp_path):
+    own, place = Compiled(of_ella, tmp_path), (0.0, 0.0, 0.0)
+    assert own.start(0.0, (1.5e308, 0.0, 0.0)) == NONFINITE and own.start(0.0, (0.0,) * 3) == OK
+    before = bytes(own.state)
+    assert own.sample(STEP, (-1.5e308, 0.0, 0.0), place) == NONFINITE and bytes(own.state) == before
 
 
 # ------------------------------------------------------------------------------ files and runs
+
+
+def test_a_refused_sample_leaves_a_shaper_as_it_was(of_ella):
+    own = of_ella.sampled(STEP)
+    with pytest.raises(UsageError, match="reference: .*not finite"):
+        own.start([NAN, 0.0, 0.0])
+    own.start([0.1, 0.2, 0.3])
+    for reference, place in (([NAN, 0.0, 0.0], [0.0] * 3), ([1.0, 0.0, 0.0], [NAN, 0.0, 0.0])):
+        before = own.memory.copy(), own.newest
+        with pytest.raises(UsageError):
+            own(reference, place)
+        assert np.array_equal(own.memory, before[0]) and own.newest == before[1]
+
+
+def test_a_run_beyond_the_bounds_of_a_shaper_says_so_once():
+    model = rod()
+    shaped = Shaped.of(screwgen.PD((60.0,), (14.0,), (0.5,), 0.1), screwgen.shape(model, [-0.2], [0.2], degree=0))
+    with pytest.warns(ModelValidityWarning, match=r"the law was made for -0.2 to 0.2") as caught:
+        screwgen.simulate(model, 0.12, 1e-3, controller=shaped)
+    assert sum("the law was made for" in str(x.message) for x in caught) == 1
+
+
+def test_laws_with_more_than_their_gains_are_not_cut_down():
+    model, more = rod(), PID((60.0,), (14.0,), (0.5,), ki=(30.0,))
+    shaper = screwgen.shape(model, [-1.0], [1.0], degree=0)
+    calls = [lambda: screwgen.shape(model, [-1.0], [1.0], gains=more), lambda: Shaped.of(more, shaper)]
+    calls += [lambda: screwgen.plan(model, [0.0], [0.5], 0.9, gains=more)]
+    calls += [lambda: screwgen.FeedforwardPD.of(more, model)]
+    calls += [lambda: Shaped.of(screwgen.FeedforwardPD.of(LAW, model), shaper)]
+    for call in calls:
+        with pytest.raises(UsageError, match=r"which would be left out; give a"):
+            call()
+
+
+def test_c_holds_no_text_of_a_file_but_names():
+    made = replace(screwgen.shape(rod(), [-1.0], [1.0], degree=0), vibrates="*/ int injected = 1; /*")
+    with pytest.raises(UsageError, match="vibrates: must be one of"):
+        made.c(STEP)
 
 
 def test_a_command_writes_a_shaper_that_a_run_plays(tmp_path, capsys):
@@ -242,6 +315,9 @@ def test_what_is_no_shaper_is_one_line(tmp_path):
     text = shaper_text(screwgen.shape(model, [-1.0], [1.0]))
     for old, new, said in (
         ('kind = "zv"', 'kind = "zx"', "there is no kind 'zx'"),
+        ('vibrates = "', 'vibrates = "*/', "vibrates must be one of"),
+        ("powers = [[0]", "powers = [[0.5]", "powers must be whole numbers from 0 to 12"),
+        ("powers = [[0]", "powers = [[300]", "powers must be whole numbers from 0 to 12"),
         ("lower = [-1.0]", "lower = [2.0]", "lower < upper"),
         ("powers = ", "power = ", "'powers' is missing"),
     ):

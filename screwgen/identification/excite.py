@@ -13,6 +13,7 @@ from ..arguments import Numbers, array, seconds, whole
 from ..errors import UsageError
 from ..planning.joint_gains import gains as found_gains
 from ..planning.limits import motion_limits
+from ..planning.make import law_of
 from ..planning.plan import MotionPlan
 from ..planning.refusals import refuse_robot
 from ..planning.task import MotionLimits
@@ -219,9 +220,9 @@ def _plan(maker: MotionMaker, made: Motions, lane: int, law: Any) -> MotionPlan:
     model, held, still = maker.model, made.tau[lane], maker.rest.torque
     tau = np.vstack([still, (held[:-2] + held[1:-1]) / 2, still])
     q, v, a = made.references[lane]
-    kp, kd = (array(getattr(law, name), f"gains: {name}:", (model.n_joints,)) for name in ("kp", "kd"))
+    held_by = law_of(law, model.n_joints)
     joints, efforts = tuple(model.q_names[: model.n_joints]), maker.limits.efforts
-    return MotionPlan(model.robot.name, joints, maker.series.t, q, v, a, tau, kp, kd, efforts)
+    return MotionPlan(model.robot.name, joints, maker.series.t, q, v, a, tau, held_by.kp, held_by.kd, efforts)
 
 
 def _checked(model: RobotModel, plan: MotionPlan, limits: MotionLimits, step: float) -> Run:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..arguments import Numbers, array
+from .beyond import beyond
 from .lqg_design import LqgGains
 from .scheduling import Grid
 
@@ -87,6 +88,11 @@ class Lqg:
         memory.x = rest - lacks + h * np.concatenate([h / 2 * gained - slow, gained])
         memory.z = memory.z + np.where((wanted - tau) * lack > 0, 0.0, h * lack)
         return tau
+
+    def outside(self, reference: np.ndarray, loads: Numbers = ()) -> str | None:
+        """A line where references (n_joints,) or loads are out of the grid; None within."""
+        ends = zip(*((x[0], x[-1]) for x in self.grid.values), strict=True)
+        return beyond(self.grid.names, self.grid.point(reference, self._loads(loads)), *ends)
 
     def c(self) -> dict[str, str]:
         """The law as C99, texts by names of files: `<robot>_lqg.h` and `<robot>_lqg.c`, which need no others.

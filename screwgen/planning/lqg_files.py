@@ -12,7 +12,7 @@ from ..files import open_arrays, sound
 from ..spec.load import one_line
 from .lqg import Lqg
 from .lqg_design import LqgGains
-from .scheduling import Grid
+from .scheduling import MOST, Grid
 
 TEXTS = ("robot", "joints", "variables", "lines")
 NUMBERS = ("step", "tau_max", "q_des", "scheduled")
@@ -52,6 +52,10 @@ def read_lqg(path: str | os.PathLike[str]) -> Lqg:
     for name, wanted in shapes.items():
         if found[name].shape != wanted:
             raise wrong(f"{name} has the shape {found[name].shape}; it must have {wanted}")
+    if V > MOST:
+        raise wrong(f"its grid has {V} vertices; {MOST} are allowed")
+    if not (found["scheduled"] % 1 == 0).all():
+        raise wrong("scheduled holds something else than whole numbers")
     scheduled = tuple(int(x) for x in found["scheduled"])
     if not found["step"] > 0 or not (found["tau_max"] > 0).all() or any(not -1 <= j < m for j in scheduled):
         raise wrong("its step, limits or variables make no sense")

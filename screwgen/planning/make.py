@@ -116,9 +116,14 @@ def scaled(model: RobotModel, values: np.ndarray, factors: Mapping[str, float]) 
 
 
 def law_of(gains: Any, m: int, needed: bool = False) -> JointLaw:
-    """The law that `gains` are; zero without them."""
+    """The law that `gains` are; zero without them. Refuses laws that are more than proportional-derivative ones."""
     if gains is None:
         if needed:
             raise UsageError("models: several share a motion under the law of the joints alone; give gains")
         return JointLaw(np.zeros(m), np.zeros(m))
+    ki = getattr(gains, "ki", None)
+    if ki is not None and np.any(ki):
+        raise UsageError("gains: the law has an integral, which would be left out; give a law with kp and kd alone")
+    if not all(hasattr(gains, name) for name in ("kp", "kd")) or hasattr(gains, "lqg"):
+        raise UsageError("gains: the law has no gains kp and kd of its own; give a PD law")
     return JointLaw(*(array(getattr(gains, name), f"gains: {name}:", (m,)) for name in ("kp", "kd")))

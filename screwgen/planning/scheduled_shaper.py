@@ -9,7 +9,13 @@ import numpy as np
 
 from ..arguments import Numbers, array, seconds
 from ..errors import UsageError
+from .beyond import beyond
 from .shapers import Shaper, shaper
+
+MOST_MODES, MOST_TERMS, MOST_DEGREE = 3, 500, 12
+"""Of a shaper, and of its polynomials."""
+LOOP, LOCKED = VIBRATES = ("poles of the closed loop", "the arm with joints locked")
+"""In words: what vibrates."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +38,7 @@ class ScheduledShaper:
     robot: str
     kind: str
     vibrates: str
-    """In words: what vibrates."""
+    """One of :data:`VIBRATES`."""
     joints: tuple[str, ...]
     """Whose references are shaped."""
     variables: tuple[str, ...]
@@ -62,6 +68,10 @@ class ScheduledShaper:
     def at(self, place: Any) -> Shaper:
         """The shaper at values of the variables (V,)."""
         return shaper(*self.vibrations(place), self.kind)
+
+    def outside(self, place: np.ndarray) -> str | None:
+        """A line where values of the variables (V,) are out of the bounds; None within."""
+        return beyond(self.variables, place, self.lower, self.upper)
 
     @property
     def delay(self) -> float:
@@ -104,16 +114,16 @@ class SampledShaper:
 
     def start(self, reference: Numbers) -> None:
         """Begin at rest at a reference (n,), which counts as that of all samples before."""
-        reference = np.asarray(reference, float)
+        reference = array(reference, "reference:", (len(self.scheduled.joints),))
         self.memory, self.newest = np.tile(reference, (self.length, 1)), 0
 
     def __call__(self, reference: Numbers, place: Numbers) -> np.ndarray:
         """The shaped reference (n,) at the next sample, at values of the variables (V,)."""
         if not self.memory.size:
             raise UsageError("shaper: is not started; call start with the first reference")
+        reference, impulses = array(reference, "reference:", self.memory.shape[1:]), self.scheduled.at(place)
         self.newest = (self.newest + 1) % self.length
-        self.memory[self.newest] = array(reference, "reference:", self.memory.shape[1:])
-        impulses = self.scheduled.at(place)
+        self.memory[self.newest] = reference
         out = np.zeros(self.memory.shape[1])
         for time, amplitude in zip(impulses.times, impulses.amplitudes, strict=True):
             back, share = divmod(time / self.step, 1.0)

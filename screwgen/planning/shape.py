@@ -11,14 +11,15 @@ import numpy as np
 from ..arguments import Given, Numbers, array, choice, whole
 from ..errors import UsageError
 from ..robot_model import RobotModel
+from .make import law_of
 from .members import Still
 from .refusals import refuse_robot
 from .sampled_loop import LoopGains
-from .scheduled_shaper import FittedMode, ScheduledShaper
+from .scheduled_shaper import LOCKED, LOOP, MOST_DEGREE, MOST_MODES, MOST_TERMS, FittedMode, ScheduledShaper
 from .shapers import KINDS
 from .vibrations import DampedModes, followed, poles, slowest, vibrations
 
-DEGREE, MOST_MODES, MOST_TERMS = 4, 3, 500
+DEGREE = 4
 CHECKED = 50
 """Postures at which it is looked at what is left; none of them is one of those that are fitted."""
 PER_TERM, LEVELS, WAY = 4, 5, 7
@@ -61,7 +62,7 @@ def shape(
     refuse_robot(model, "scheduled shaper", "take screwgen.shaper with frequencies of your own")
     m, names = model.n_joints, tuple(model.q_names[: model.n_joints])
     kind, modes = choice(kind, KINDS, "kind: there is no"), whole(modes, "modes", 1, MOST_MODES)
-    degree = whole(degree, "degree", 0, 12)
+    degree = whole(degree, "degree", 0, MOST_DEGREE)
     low, high = array(lower, "lower:", (m,)), array(upper, "upper:", (m,))
     if not (low <= high).all():
         raise UsageError("lower, upper: the lower bounds must not be above the upper ones")
@@ -78,7 +79,7 @@ def shape(
             f"degree: {degree} takes {len(powers)} terms; take a smaller one, or fix joints by equal bounds"
         )
     fitted = _fitted(arm, powers, box, modes)
-    law = "poles of the closed loop" if gains is not None else "the arm with joints locked"
+    law = LOOP if gains is not None else LOCKED
     made = ScheduledShaper(model.robot.name, kind, law, names, variables, box[0], box[1], powers, fitted)
     return _judged(made, arm, box)
 
@@ -174,7 +175,8 @@ def _judged(made: ScheduledShaper, arm: Arm, box: np.ndarray) -> ScheduledShaper
 def _loop(gains: Any, free: Numbers, m: int) -> LoopGains:
     """Gains, or joints locked but those that are free."""
     if gains is not None:
-        return LoopGains(*(array(getattr(gains, name), f"gains: {name}:", (m,)) for name in ("kp", "kd")))
+        law = law_of(gains, m)
+        return LoopGains(law.kp, law.kd)
     kp = np.full(m, np.inf)
     for j in np.atleast_1d(np.asarray(free, int)) if np.size(free) else ():
         kp[whole(int(j), "free", 0, m - 1)] = 0.0

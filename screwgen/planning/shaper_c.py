@@ -9,6 +9,7 @@ from ..errors import UsageError
 from ..spec.names import robot_name
 from ..version import __version__ as VERSION
 from .plan_c import JOINT, numbers
+from .scheduled_shaper import VIBRATES
 from .shapers import TOLERATED
 
 if TYPE_CHECKING:
@@ -25,6 +26,8 @@ def shaper_files(made: ScheduledShaper, step: float) -> dict[str, str]:
         robot_name(made.robot)
     except ValueError as error:
         raise UsageError(f"the shaper's robot: {error}") from None
+    if made.vibrates not in VIBRATES:
+        raise UsageError(f"the shaper's vibrates: must be one of: {', '.join(VIBRATES)}")
     if not all(map(JOINT.fullmatch, (*made.joints, *made.variables))):
         raise UsageError("the shaper's joints: C needs names of letters, digits and _ . [ ] alone")
     length = made.sampled(step).length

@@ -11,7 +11,7 @@ import numpy as np
 from ..errors import UsageError
 from ..files import sound
 from ..spec.load import decode, one_line, parse, read
-from .scheduled_shaper import FittedMode, ScheduledShaper
+from .scheduled_shaper import MOST_DEGREE, MOST_MODES, MOST_TERMS, VIBRATES, FittedMode, ScheduledShaper
 from .shapers import KINDS
 
 TEXTS, LISTS, ROWS = ("robot", "kind", "vibrates"), ("joints", "variables"), ("lower", "upper")
@@ -50,17 +50,31 @@ def _shaper(data: Mapping[str, Any]) -> ScheduledShaper:
     robot, kind, vibrates = (str(data[name]) for name in TEXTS)
     joints, variables = (tuple(map(str, data[name])) for name in LISTS)
     lower, upper = (np.array(data[name], float) for name in ROWS)
-    powers = np.array(data["powers"], int).reshape(len(data["powers"]), len(variables))
+    powers = _powers(data["powers"], len(variables))
     modes = tuple(_mode(x, len(powers)) for x in data["modes"])
     if kind not in KINDS:
         raise ValueError(f"there is no kind '{kind}'")
+    if vibrates not in VIBRATES:
+        raise ValueError(f"vibrates must be one of: {', '.join(VIBRATES)}")
+    if len(modes) > MOST_MODES:
+        raise ValueError(f"there are {len(modes)} modes; {MOST_MODES} are allowed")
     if lower.shape != (len(variables),) or upper.shape != lower.shape or not (lower < upper).all() or not modes:
         raise ValueError("lower and upper need a number for each variable, lower < upper, and a mode must be there")
-    if not (sound(lower) and sound(upper) and (powers >= 0).all()):
-        raise ValueError("bounds must be finite numbers, powers at least 0")
+    if not (sound(lower) and sound(upper)):
+        raise ValueError("bounds must be finite numbers")
     law = data.get("law")
     law = None if law is None else str(law)
     return ScheduledShaper(robot, kind, vibrates, joints, variables, lower, upper, powers, modes, law)
+
+
+def _powers(rows: Any, count: int) -> np.ndarray:
+    """(terms, count): the powers of the variables; raises TypeError and ValueError."""
+    found = np.array(rows).reshape(len(rows), count)
+    if found.size and (found.dtype.kind != "i" or found.min() < 0 or found.max() > MOST_DEGREE):
+        raise ValueError(f"powers must be whole numbers from 0 to {MOST_DEGREE}")
+    if len(found) > MOST_TERMS:
+        raise ValueError(f"there are {len(found)} rows of powers; {MOST_TERMS} are allowed")
+    return found.astype(int)
 
 
 def _mode(data: Mapping[str, Any], terms: int) -> FittedMode:

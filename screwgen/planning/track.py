@@ -95,7 +95,7 @@ def _planned(
         v[end] = a[end] = 0.0
         tau[end] = still.held(q[end]).torque
     names, most = tuple(model.q_names[:m]), limits.efforts
-    _check_limits(q, tau, limits, most, names)
+    check_limits("path", q, tau, limits, names)
     return MotionPlan(model.robot.name, names, np.linspace(0.0, time, points), q, v, a, tau, law.kp, law.kd, most, said)
 
 
@@ -160,7 +160,7 @@ def _check_cut(joints: np.ndarray, played: slice, preview: float) -> None:
             raise UsageError(f"{said}; take a longer one, or a path that begins and ends more smoothly")
 
 
-def _check_limits(q: np.ndarray, tau: np.ndarray, limits: MotionLimits, most: np.ndarray, names: Sequence[str]) -> None:
+def check_limits(what: str, q: np.ndarray, tau: np.ndarray, limits: MotionLimits, names: Sequence[str]) -> None:
     """Refuse a motion that leaves the ranges of joints, or takes more than their drives have."""
     for j, name in enumerate(names):
         low, high, effort = q[:, j].min(), q[:, j].max(), np.abs(tau[:, j]).max()
@@ -168,6 +168,8 @@ def _check_limits(q: np.ndarray, tau: np.ndarray, limits: MotionLimits, most: np
             said = (
                 f"{name} goes from {low:.4g} to {high:.4g}; its limits are {limits.lower[j]:g} and {limits.upper[j]:g}"
             )
-            raise UsageError(f"path: {said}; give another path, or near")
-        if effort > most[j]:
-            raise UsageError(f"path: it takes {effort:.4g} of {name}, whose limit is {most[j]:.4g}; take more time")
+            raise UsageError(f"{what}: {said}; give another motion")
+        if effort > limits.efforts[j]:
+            raise UsageError(
+                f"{what}: it takes {effort:.4g} of {name}, whose limit is {limits.efforts[j]:.4g}; take more time"
+            )

@@ -17,6 +17,8 @@ from .controller_files import read_pd
 from .controllers import PD
 from .feedforward import Feedforward
 from .inputs import started
+from .played import Played
+from .shaped import Shaped
 
 
 @dataclass(frozen=True)
@@ -36,7 +38,12 @@ class FeedforwardPD(PD):
 
     @classmethod
     def of(cls, law: PD, model: RobotModel) -> FeedforwardPD:
-        """The law with the efforts of a model. Raises UsageError where the law already holds the arm's weight."""
+        """The law with the efforts of a model. Raises UsageError where the law already holds the arm's weight.
+
+        Of laws the efforts go with a :class:`PD`, that of a plan, and a shaped one.
+        """
+        if type(law) not in (PD, Played, Shaped):
+            raise UsageError(f"{type(law).__name__}: has more than kp and kd, which would be left out; give a PD law")
         if law.gravity is not None:
             raise UsageError("gravity: the efforts ahead hold the arm too; leave out the law's own compensation")
         return cls(law.kp, law.kd, law.q_des, tau_max=law.tau_max, law=law, ahead_of=Feedforward(model))

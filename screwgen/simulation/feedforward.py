@@ -15,8 +15,10 @@ import numpy as np
 from ..arguments import Given, Numbers, array, seconds
 from ..errors import UsageError
 from ..integrators.method import Method, Move, Stage
+from ..planning.limits import motion_limits
 from ..planning.members import Still
 from ..planning.refusals import refuse_robot
+from ..planning.track import check_limits
 from ..robot_model import RobotModel
 from ..spec.joint import MOTION
 from ..spec.robot import Robot
@@ -58,8 +60,9 @@ def feedforward(model: RobotModel, q: Numbers, v: Numbers, step: float, paramete
     A held joint damps no bending: what the motion excites goes on, and the efforts hold against it. So this belongs to
     motions that leave no vibration, such as those of :func:`plan`, and under a joint law.
 
-    Raises UsageError on other shapes, on numbers that are not finite, on rates that are not those of the coordinates,
-    and for robots whose efforts do not follow from the motion of joints alone: elastic drives, loops, floating bases.
+    Raises UsageError on other shapes, on numbers that are not finite, on a start that moves, on rates that are not those
+    of the coordinates, on a motion beyond the limits of joints and drives in the robot file, and for robots whose
+    efforts do not follow from the motion of joints alone: elastic drives, loops, floating bases.
     """
     m, step = model.n_joints, seconds(step, "the step")
     ahead = Feedforward(model, parameters)
@@ -74,19 +77,28 @@ def feedforward(model: RobotModel, q: Numbers, v: Numbers, step: float, paramete
         state, effort = ahead.next(states[-1], there, rate, step)
         states.append(state)
         tau.append(effort)
+    check_limits("q", q, np.array(tau), motion_limits(model, {}, headroom=1.0), model.q_names[:m])
     return FedMotion(np.array(tau), np.array([s.q for s in states]), np.array([s.v for s in states]))
 
 
-ROUNDING, MISSED = 1e-5, 0.05
-"""How far sums of rates may miss the way of a joint: in rad or m, and by the largest way of a step."""
+ROUNDING, LEAST, MISSED = 1e-7, 1e-12, 0.05
+"""How far sums of rates may miss the way of a joint: by its coordinate, in rad or m, and by the largest way of a step."""
+STILL = 1e-6
+"""Up to which share of its largest rate a joint is at rest."""
 
 
 def check_rates(q: np.ndarray, v: np.ndarray, step: float) -> None:
-    """Refuse rates whose means over steps are not the ways of the coordinates; coordinates that jump are such."""
+    """Refuse a start that is not at rest, and rates whose means over steps are not the ways of the coordinates.
+
+    Coordinates that jump are such.
+    """
+    if (moving := np.abs(v[0]) > LEAST + STILL * np.abs(v).max(axis=0)).any():
+        j = int(moving.argmax())
+        raise UsageError(f"v: joint {j} begins with the rate {v[0, j]:.4g}; begin at rest, as the arm does")
     way, passed = np.diff(q, axis=0), step * (v[1:] + v[:-1]) / 2
     for j, off in enumerate(np.abs(way - passed).T):
         largest = step * np.abs(v[:, j]).max()
-        if off.max() > ROUNDING + MISSED * largest:
+        if off.max() > LEAST + ROUNDING * np.abs(q[:, j]).max() + MISSED * largest:
             k = int(off.argmax())
             rates = f"rates {v[k, j]:.4g}, {v[k + 1, j]:.4g}"
             said = f"joint {j} goes {way[k, j]:.4g} from sample {k} to the next, with {rates}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -14,6 +15,7 @@ from ..planning.lqg import Lqg, LqgMemory
 from ..planning.lqg_files import read_lqg
 from ..robot_model import RobotModel
 from .controllers import PD
+from .validity import ModelValidityWarning
 
 SAME = 1e-9
 """Within which the step of a run is that of a law, relative."""
@@ -24,7 +26,7 @@ class LqgLaw(PD):
     """A law with a filter behind the references of a :class:`PD`, whose own gains are zero.
 
     `loads`: factors of the loads of its grid, 1 if none are given. It measures the joints' coordinates alone, and
-    remembers; a run starts it anew.
+    remembers; a run starts it anew. Outside of its grid a :class:`ModelValidityWarning` says so, once a run.
     """
 
     lqg: Lqg | None = None
@@ -61,9 +63,12 @@ class LqgLaw(PD):
         """The efforts, N·m, of slides forces, N, where they act; those of a time that was asked for are kept."""
         measured, (reference, rates) = self.measured(q, self.ahead), self.reference(t)
         if not self.memory:
-            self.memory[:] = [-np.inf, None, self.tables.start(measured, self.loads)]
+            self.memory[:] = [-np.inf, None, self.tables.start(measured, self.loads), False]
         if t > self.memory[0]:
             memory: LqgMemory = self.memory[2]
+            if not self.memory[3] and (line := self.tables.outside(reference, self.loads)):
+                self.memory[3] = True
+                warnings.warn(line, ModelValidityWarning, stacklevel=2)
             self.memory[:2] = t, self.tables.sample(memory, measured, reference, rates, self.loads)
         return np.append(self.memory[1], np.zeros(self.idle))
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, fields
+import warnings
+from dataclasses import dataclass, field, fields
 from pathlib import Path
 
 import numpy as np
@@ -15,21 +16,26 @@ from ..robot_model import RobotModel
 from ..spec.load import one_line
 from .controller_files import read_pd
 from .controllers import PD
+from .validity import ModelValidityWarning
 
 
 @dataclass(frozen=True)
 class Shaped(PD):
     """A :class:`PD` law whose reference is shaped: sums of its reference at earlier times, by impulses that follow it.
 
+    Outside of the shaper's bounds a :class:`ModelValidityWarning` says so, once a run.
     `payload`: the value of the shaper's last variable where that is no joint.
     """
 
     shaper: ScheduledShaper | None = None
     payload: float | None = None
+    said: list[str] = field(default_factory=list, init=False, repr=False, compare=False)
 
     @classmethod
     def of(cls, law: PD, shaper: ScheduledShaper, payload: float | None = None) -> Shaped:
-        """A law with its references shaped; raises UsageError where the shaper is for other joints."""
+        """A :class:`PD` law with its references shaped; raises UsageError for others, and a shaper of other joints."""
+        if type(law) is not PD:
+            raise UsageError(f"{type(law).__name__}: has more than kp and kd, which would be left out; give a PD law")
         if len(shaper.joints) != len(law.q_des):
             raise UsageError(f"shaper: is for {len(shaper.joints)} joints, the law for {len(law.q_des)}")
         if payload is None and set(shaper.variables) - set(shaper.joints):
@@ -43,9 +49,16 @@ class Shaped(PD):
         return np.array([own.get(name, self.payload) for name in self.shaper.variables], float)
 
     def reference(self, t: float) -> tuple[np.ndarray, np.ndarray]:
-        """Shaped coordinates and rates, impulses by where the unshaped reference is."""
+        """Shaped coordinates and rates, impulses by where the unshaped reference is.
+
+        Rates are sums of earlier rates: how the delays themselves change is left out.
+        """
         assert self.shaper is not None
-        impulses = self.shaper.at(self.place(super().reference(t)[0]))
+        place = self.place(super().reference(t)[0])
+        if not self.said and (line := self.shaper.outside(place)):
+            self.said.append(line)
+            warnings.warn(line, ModelValidityWarning, stacklevel=2)
+        impulses = self.shaper.at(place)
         earlier = [super(Shaped, self).reference(t - s) for s in impulses.times]
         q, v = (np.tensordot(impulses.amplitudes, [x[k] for x in earlier], 1) for k in (0, 1))
         return q, v

@@ -224,3 +224,23 @@ def test_the_command_refuses_in_one_line(tmp_path, capsys, given, said):
     assert main(["gains", str(robot), "-o", str(tmp_path / "gains.toml"), *given]) == 2
     error = capsys.readouterr().err
     assert said in error and error.count("\n") == 1 and not (tmp_path / "gains.toml").exists()
+
+
+def test_dry_friction_is_no_damping_of_a_design():
+    """Its slope at rest, coulomb / velocity, would be 500 N·m·s/rad."""
+    drive = {"rotor_inertia": 0.1, "friction": {"coulomb": 5.0, "velocity": 0.01}}
+    rod = {"name": "rod", "length": 1.0, "bodies": [{"at": "tip", "mass": 1.0}], "section": {"rhoA": 0.5, "EIz": 60.0}}
+    rod |= {"modes": {"bending_y": 1}, "joint": {"axes": ["z"], "drives": [drive]}}
+    dry = screwgen.gains(model_of(arm(rod, gravity=[0.0, 0.0, 0.0])), [[0.0]])
+    slipping = screwgen.gains(
+        model_of(arm(rod | {"joint": {"axes": ["z"], "armature": [0.1]}}, gravity=[0.0] * 3)), [[0.0]]
+    )
+    assert np.allclose(dry.kp, slipping.kp, rtol=1e-2) and np.allclose(dry.kd, slipping.kd, rtol=1e-2)
+
+
+def test_limits_that_parameters_change_are_refused():
+    rod = {"name": "rod", "length": 1.0, "bodies": [{"at": "tip", "mass": 1.0}]}
+    rod["joint"] = {"axes": ["z"], "armature": [0.1], "limits": [{"effort": 50.0}]}
+    model = model_of(arm(rod, gravity=[0.0, 0.0, 0.0]))
+    with pytest.raises(UsageError, match=r"rod.joint.limits\[0\].effort is 5, in the file 50"):
+        screwgen.plan(model, [0.0], [1.0], 1.0, parameters={"rod.joint.limits[0].effort": 5.0})

@@ -17,18 +17,14 @@ from scipy.optimize import linear_sum_assignment
 
 from ..errors import ScrewgenError, UsageError
 from ..robot_model import RobotModel
+from ..spec.dry_friction import without_dry_friction
 from ..spec.load import one_line
-from ..spec.parameters import parameters
 from ..spec.vibrations import Vibrations, VibrationTest, load_vibrations
 from ..studies.modes import mode_shapes
 from .identification import MeasuredVibration
 from .problem import STEP, MeasuredCases, Problem
 from .unknowns import parameter_rows
 
-DRY = tuple(f"joint.drives.friction.{key}" for key in ("coulomb", "load", "stribeck.static", "memory.damping"))
-"""The parameters of dry friction. Its slope at rest is no damping of vibrations beyond the rate that smooths it."""
-NONE = 1e-12
-"""What is left of it, for numbers that must be positive."""
 REST = 1e-9
 """Frequencies below this share of the largest are rigid motions."""
 
@@ -136,8 +132,7 @@ def vibrations(model: RobotModel, test: VibrationTest, q: np.ndarray, p: np.ndar
     there = own > REST * max(own.max(initial=0.0), 1e-300)
     ratio = np.full(len(own), np.nan)
     if test.damping is not None:
-        dry = [one.field in DRY for one in parameters(model.robot)]
-        numeric, still = model.numpy(np.where(dry, NONE * p, p)), np.zeros(chain.nvz)
+        numeric, still = model.numpy(without_dry_friction(model.robot, p)), np.zeros(chain.nvz)
         by_rate = numeric.derivatives(q, still, np.zeros(model.n_tau), np.zeros((model.n_links, 6)))[1][:n, :n]
         D = -numeric.mass_matrix(q) @ by_rate
         ratio = np.einsum("ik,ij,jk->k", found.shapes, D, found.shapes) / (4 * np.pi * np.maximum(own, 1e-300))

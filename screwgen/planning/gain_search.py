@@ -47,8 +47,8 @@ class GainSearch:
 
     def closer(self, law: LoopGains, by_kp: np.ndarray, by_kd: np.ndarray) -> GainSearch:
         """The same search with gains smaller than those of a law by factors, where these exceed 1."""
-        closer = np.where(by_kp > 1, law.kp / by_kp, self.most[0]), np.where(by_kd > 1, law.kd / by_kd, self.most[1])
-        return replace(self, most=closer)
+        smaller = lambda own, by, most: np.where(by > 1, own / np.maximum(by, 1.0), most)  # noqa: E731
+        return replace(self, most=(smaller(law.kp, by_kp, self.most[0]), smaller(law.kd, by_kd, self.most[1])))
 
     def gains(self, x: np.ndarray) -> LoopGains:
         """Gains from logarithms of frequencies and damping ratios of joints alone, and of `ki / kp`."""

@@ -14,6 +14,7 @@ from ..robot_model import RobotModel
 from .further_modes import with_further_modes
 from .gain_bounds import GainBounds
 from .gain_search import GROWTH, GainSearch
+from .limits import check_limit_numbers
 from .loop_margins import LoopMargin, loop_margins, worst
 from .make import scaled
 from .members import Still
@@ -117,6 +118,7 @@ def gains(
     limits = GainBounds.of(bounds or {}, model.chain.efforts)
     at = postures_within(model, postures)
     values = model.chain.parameters.vector(parameters)
+    check_limit_numbers(model, values)
     ways = [values, *(scaled(model, values, f) for f in models)]
     own = RestLoops.of(model, ways, at, step)
     richer = with_further_modes(model)
@@ -190,10 +192,12 @@ def _within_bounds(search: GainSearch, own: RestLoops, limits: GainBounds) -> tu
             efforts = own.holding + np.max(reached, axis=0)
         if limits.noise.any():
             noise = np.max([noise_torques(loop, law, limits.noise) for loop in own.loops], axis=0)
-        by_jump = np.where(limits.jump > 0, efforts / limits.efforts, 0.0)
+        by_jump = efforts / limits.efforts
         by_noise = np.where(noise > 0, noise / limits.noise_efforts, 0.0)
         if max(by_jump.max(), by_noise.max()) <= 1 + GROWTH:
             return law, efforts, noise
         search = search.closer(law, np.maximum(by_jump, by_noise), by_noise)
     named = "efforts after the jump" if by_jump.max() > 1 + GROWTH else "noise_efforts"
-    raise UsageError(f"bounds: {named}: no gains keep them within {ROUNDS} searches; allow more of them")
+    raise UsageError(
+        f"bounds: {named}: no gains keep them within {ROUNDS} searches; raise this bound, or bound kp and kd"
+    )

@@ -12,6 +12,7 @@ from ..arguments import Numbers, array
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.load import one_line
+from ..spec.parameters import parameters
 from .task import MotionLimits
 
 HEADROOM = 0.97
@@ -20,6 +21,14 @@ LEAST = {"lower": -np.inf, "upper": -np.inf, "rates": 0.0, "efforts": 0.0, "effo
 """What a limit of the joints has to be more than, of efforts at least."""
 NAMED = ("strains", "wrenches")
 """Limits of what is not one number per joint: tables of names or patterns and numbers."""
+
+
+def check_limit_numbers(model: RobotModel, p: np.ndarray) -> None:
+    """Refuse parameters (n,) whose limits of joints are not those of the file, which plans and laws keep."""
+    for one, value in zip(parameters(model.robot), p, strict=True):
+        if ".limits" in one.name and value != one.value:
+            said = f"parameters: {one.name} is {value:g}, in the file {one.value:g}"
+            raise UsageError(f"{said}; motions keep the limits of the file: change these there, or state tighter ones")
 
 
 def motion_limits(

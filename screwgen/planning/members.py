@@ -17,6 +17,7 @@ from ..backends.casadi.functions import symbols
 from ..errors import UsageError
 from ..lazily import linalg
 from ..robot_model import RobotModel
+from ..spec.dry_friction import without_dry_friction
 from .task import JointLaw, Task
 
 STEPS, SETTLED = 50, 1e-11
@@ -47,7 +48,10 @@ class Still:
         self.joints = model.n_joints
         force = model.casadi()["inverse_dynamics"](q, v, a, ca.DM.zeros(6, model.n_links), p)
         self.residual = ca.Function("residual", [q, v, a], [force])
-        self.statics, self.damping, self.inertia = (partial(_at, f, p) for f in found)
+        dry = without_dry_friction(model.robot, p)
+        self.statics, self.damping, self.inertia = (
+            partial(_at, f, own) for f, own in zip(found, (p, dry, p), strict=True)
+        )
 
     @cached_property
     def wrenches(self) -> ca.Function:
@@ -92,7 +96,10 @@ class Still:
         raise UsageError("no rest was found at an end of the motion; choose another posture, or larger gains")
 
     def matrices(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Inertia, damping and stiffness of small motions about a rest, joints free."""
+        """Inertia, damping and stiffness of small motions about a rest, joints free and slipping.
+
+        Dry friction is no damping: its slope at rest holds up to the rate alone that smooths it.
+        """
         return np.array(self.inertia(q)), np.array(self.damping(q)), np.array(self.statics(q)[1])
 
     def energy(self, q: np.ndarray, kp: np.ndarray) -> np.ndarray:

@@ -62,8 +62,10 @@ class PID(PD):
         tau[:m] += added if self.efforts is None else self.efforts(added, there)[:m]
         lack, rate, most = self.reference(t)[0] - there, np.array(self.ki), self.bounds
         if most is not None:
-            clipped = np.clip(tau[:m], -most, most)
-            rate = np.where((tau[:m] - clipped) * lack > 0, 0.0, rate)
+            clipped, grows = np.clip(tau[:m], -most, most), lack
+            if self.efforts is not None:  # behind a lever of negative sign less force turns on
+                grows = lack * self.efforts(np.ones(m), there)[:m]
+            rate = np.where((tau[:m] - clipped) * grows > 0, 0.0, rate)
             tau[:m] = clipped
         self.summed.rate = rate * lack
         return tau

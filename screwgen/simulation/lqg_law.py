@@ -36,6 +36,10 @@ class LqgLaw(PD):
     @classmethod
     def of(cls, lqg: Lqg, q_des: Any = None, **reference: Any) -> LqgLaw:
         """Of tables, to a goal (n_joints,), the tables' own by default; `reference`: what else a :class:`PD` takes."""
+        if unknown := sorted(set(reference) - {"duration", "waypoints", "loads"}):
+            raise UsageError(
+                f"law: there is no '{unknown[0]}' of a law with a filter; it takes duration, waypoints, loads"
+            )
         m = len(lqg.joints)
         goal = tuple((lqg.q_des if q_des is None else array(q_des, "q_des:", (m,))).tolist())
         limits = tuple(lqg.tau_max.tolist()) if np.isfinite(lqg.tau_max).all() else None

@@ -1,0 +1,18 @@
+"""Parameters of a robot without its dry friction, whose slope at rest is no damping of motions that slip."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .parameters import parameters
+from .robot import Robot
+
+DRY = tuple(f"joint.drives.friction.{key}" for key in ("coulomb", "load", "stribeck.static", "memory.damping"))
+"""The parameters of dry friction. Its slope at rest is no damping of motions beyond the rate that smooths it."""
+NONE = 1e-12
+"""What is left of it, for numbers that must be positive."""
+
+
+def without_dry_friction(robot: Robot, p: np.ndarray) -> np.ndarray:
+    """Parameters (n,) whose dry friction of drives is all but nothing; viscous friction and its bend stay."""
+    return np.where([one.field in DRY for one in parameters(robot)], NONE * p, p)

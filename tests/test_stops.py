@@ -27,7 +27,7 @@ def everything(seed: int) -> Mixed:
 def pressed(c: Mixed) -> int:
     """How many stops act in a case."""
     q, at = c.given[0], [x for own in c.model.numpy().constants for x in own.get("stop_at", ())]
-    return sum(side * (q[k] - x) > 0 for (_, k, side), x in zip(c.model.chain.acted(STOP), at, strict=True))
+    return sum(end.side * (q[end.coordinate] - x) > 0 for end, x in zip(c.model.chain.acted(STOP), at, strict=True))
 
 
 # -------- against the oracle

@@ -243,8 +243,8 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     turned = _stretched(chain, functions, number, turned) if chain.elastic_travels else turned
     of_ends = ([x for c in functions.constants for x in c.get(name, ())] for name in STOP.constants)
     ends = zip(chain.acted(STOP), *of_ends, strict=True)
-    for (_, joint, side), at, k, _ in list(ends)[number % 2 :: 2]:
-        pressed = float(at + side * 20 / k)
+    for stop, at, k, _ in list(ends)[number % 2 :: 2]:
+        pressed, joint = float(at + stop.side * 20 / k), stop.coordinate
         q[joint] = pressed if chain.reach[joint, 0] < pressed < chain.reach[joint, 1] else q[joint]
     bent = [float(f"{20.0 * _fraction(number, 4, j) / max(k, 400.0):.6e}") for j, k in enumerate(_bristles(functions))]
     for ratio, joint in zip(chain.ratios(p), chain.added_joints, strict=True):

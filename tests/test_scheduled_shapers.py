@@ -253,7 +253,7 @@ def test_c_refuses_references_that_measure_nothing(of_ella, tmp_path):
 
 def test_a_refused_sample_leaves_a_shaper_as_it_was(of_ella):
     own = of_ella.sampled(STEP)
-    with pytest.raises(UsageError, match="reference: .*not finite"):
+    with pytest.raises(UsageError, match=r"reference: .*not finite"):
         own.start([NAN, 0.0, 0.0])
     own.start([0.1, 0.2, 0.3])
     for reference, place in (([NAN, 0.0, 0.0], [0.0] * 3), ([1.0, 0.0, 0.0], [NAN, 0.0, 0.0])):

@@ -60,8 +60,8 @@ def feedforward(model: RobotModel, q: Numbers, v: Numbers, step: float, paramete
     A held joint damps no bending: what the motion excites goes on, and the efforts hold against it. So this belongs to
     motions that leave no vibration, such as those of :func:`plan`, and under a joint law.
 
-    Raises UsageError on other shapes, on numbers that are not finite, on a start that moves, on rates that are not those
-    of the coordinates, on a motion beyond the limits of joints and drives in the robot file, and for robots whose
+    Raises UsageError on other shapes, on numbers that are not finite, on a start that moves, on rates that are not
+    those of the coordinates, on a motion beyond the limits of joints and drives in the robot file, and for robots whose
     efforts do not follow from the motion of joints alone: elastic drives, loops, floating bases.
     """
     m, step = model.n_joints, seconds(step, "the step")
@@ -82,7 +82,7 @@ def feedforward(model: RobotModel, q: Numbers, v: Numbers, step: float, paramete
 
 
 ROUNDING, LEAST, MISSED = 1e-7, 1e-12, 0.05
-"""How far sums of rates may miss the way of a joint: by its coordinate, in rad or m, and by the largest way of a step."""
+"""How far sums of rates may miss the way of a joint: by its coordinate, rad or m, and by the largest way of a step."""
 STILL = 1e-6
 """Up to which share of its largest rate a joint is at rest."""
 

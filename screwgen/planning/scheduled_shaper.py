@@ -14,8 +14,6 @@ from .shapers import Shaper, shaper
 
 MOST_MODES, MOST_TERMS, MOST_DEGREE = 3, 500, 12
 """Of a shaper, and of its polynomials."""
-LOOP, LOCKED = VIBRATES = ("poles of the closed loop", "the arm with joints locked")
-"""In words: what vibrates."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +36,7 @@ class ScheduledShaper:
     robot: str
     kind: str
     vibrates: str
-    """One of :data:`VIBRATES`."""
+    """One of `shapers.VIBRATES`."""
     joints: tuple[str, ...]
     """Whose references are shaped."""
     variables: tuple[str, ...]

@@ -15,8 +15,8 @@ from .make import law_of
 from .members import Still
 from .refusals import refuse_robot
 from .sampled_loop import LoopGains
-from .scheduled_shaper import LOCKED, LOOP, MOST_DEGREE, MOST_MODES, MOST_TERMS, FittedMode, ScheduledShaper
-from .shapers import KINDS
+from .scheduled_shaper import MOST_DEGREE, MOST_MODES, MOST_TERMS, FittedMode, ScheduledShaper
+from .shapers import KINDS, LOCKED, LOOP
 from .vibrations import DampedModes, followed, poles, slowest, vibrations
 
 DEGREE = 4

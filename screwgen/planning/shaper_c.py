@@ -9,8 +9,7 @@ from ..errors import UsageError
 from ..spec.names import robot_name
 from ..version import __version__ as VERSION
 from .plan_c import JOINT, numbers
-from .scheduled_shaper import VIBRATES
-from .shapers import TOLERATED
+from .shapers import TOLERATED, VIBRATES
 
 if TYPE_CHECKING:
     from .scheduled_shaper import ScheduledShaper

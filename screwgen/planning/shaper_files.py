@@ -11,8 +11,8 @@ import numpy as np
 from ..errors import UsageError
 from ..files import sound
 from ..spec.load import decode, one_line, parse, read
-from .scheduled_shaper import MOST_DEGREE, MOST_MODES, MOST_TERMS, VIBRATES, FittedMode, ScheduledShaper
-from .shapers import KINDS
+from .scheduled_shaper import MOST_DEGREE, MOST_MODES, MOST_TERMS, FittedMode, ScheduledShaper
+from .shapers import KINDS, VIBRATES
 
 TEXTS, LISTS, ROWS = ("robot", "kind", "vibrates"), ("joints", "variables"), ("lower", "upper")
 

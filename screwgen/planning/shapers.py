@@ -11,6 +11,8 @@ from ..arguments import Numbers, choice, real_numbers
 from ..errors import UsageError
 
 KINDS = ("zv", "zvd", "ei")
+LOOP, LOCKED = VIBRATES = ("poles of the closed loop", "the arm with joints locked")
+"""In words: what vibrates."""
 TOLERATED = 0.05
 """The residual vibration that an EI shaper has at its frequency, so that it bears more error of it."""
 

@@ -58,8 +58,8 @@ def plan(
             found = made(model, asked.start, goal, asked.time, **ways, progress=progress)
         files = write(found)
     figures = f"{found.time:.4g} s, {found.said['iterations']} iterations, torques up to {found.effort.max():.4g}"
-    bare = "" if found.kp.any() else "no gains are named: nothing corrects what the model does not know\n"
-    say("\n".join([*files, bare + figures]), quiet)
+    bare = "" if found.kp.any() else "; without gains nothing corrects what the model does not know"
+    say("\n".join([*files, figures + bare]), quiet)
 
 
 def check_destination(

@@ -296,3 +296,10 @@ def test_a_law_for_ella_is_stable_in_the_exact_arm_with_other_payloads():
             np.linalg.norm(np.ptp(run.tip_position[(run.t >= t) & (run.t < t + 0.8)], axis=0)) for t in (1.2, 3.2)
         )
         assert late < 0.15 * early and np.abs(run.q[-1, :3] - goal).max() < 5e-3
+
+
+def test_c_of_a_rigid_robot_is_refused():
+    rod = {"name": "rod", "length": 1.0, "bodies": [{"at": "tip", "mass": 1.0}]}
+    rigid = model_of(arm(rod | {"joint": {"axes": ["z"], "armature": [0.5]}}, gravity=[0.0, 0.0, 0.0]))
+    with pytest.raises(UsageError, match="has no modes"):
+        screwgen.lqg(rigid, {"rod.joint[0]": [-0.2, 0.2]}, step=1e-3).c()

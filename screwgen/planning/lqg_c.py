@@ -29,6 +29,8 @@ def lqg_files(law: Lqg) -> dict[str, str]:
         raise UsageError(f"the law's robot: {error}") from None
     if not all(map(JOINT.fullmatch, law.joints)):
         raise UsageError("the law's joints: C needs names of letters, digits and _ . [ ] alone")
+    if law.tables.M.shape[-1] == len(law.joints):
+        raise UsageError("the law's robot: has no modes, whose laws have no C yet; take joint gains")
     grid = law.grid
     values = {
         "version": VERSION,

@@ -131,7 +131,9 @@ def paid_out(case: Case, dt: float) -> np.ndarray:
 
 def identification(case: Case) -> None:
     """A mass that is a tenth larger than in the file is found again from what a run records."""
-    model, step = case.model, STEP / 10 if case.model.chain.closing.rows else STEP  # loops open over long runs
+    model, chain = case.model, case.model.chain
+    quick = chain.closing.rows or chain.curved  # loops open over long runs, light parts of what floats turn fast
+    step = STEP / 10 if quick else STEP
     duration = 24 * step
     q, v, tau, _ = case.given
     known = next(x for x in parameters(model.robot) if x.field == "bodies.mass" and x.value)
@@ -139,11 +141,7 @@ def identification(case: Case) -> None:
     more = {"integrator": "modal_midpoint", "parameters": {known.name: 1.1 * known.value}}
     run = screwgen.simulate(model, duration, step, q0=q, v0=v, controller=tau, **more)
     found = screwgen.identify(model, run, free=[known.name], window=duration, iterations=6)
-    mass = found[known.name]
-    if mass.high - mass.low < 0.2 * mass.value:
-        near(mass.value, 1.1 * known.value, 1e-3, known.name)
-    else:  # readings of fast modes say little of where so short a window begins, and the fit says that it knows little
-        assert mass.low < 1.1 * known.value < mass.high, known.name
+    near(found[known.name].value, 1.1 * known.value, 1e-3, known.name)
 
 
 def equilibrium(case: Case) -> None:

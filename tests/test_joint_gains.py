@@ -226,21 +226,76 @@ def test_the_command_refuses_in_one_line(tmp_path, capsys, given, said):
     assert said in error and error.count("\n") == 1 and not (tmp_path / "gains.toml").exists()
 
 
-def test_dry_friction_is_no_damping_of_a_design():
-    """Its slope at rest, coulomb / velocity, would be 500 N·m·s/rad."""
-    drive = {"rotor_inertia": 0.1, "friction": {"coulomb": 5.0, "velocity": 0.01}}
+def planar(limit: float = 40.0) -> screwgen.Model:
+    """Two rigid links in a plane, whose torques move each other."""
+    links = [link(name, axes=["z"], length=0.6, bodies=[{"at": "tip", "mass": 1.0}]) for name in ("upper", "fore")]
+    for one in links:
+        one["joint"] |= {"armature": [0.1], "limits": [{"effort": limit}]}
+    return model_of(arm(*links, gravity=[0.0, 0.0, 0.0]))
+
+
+@pytest.mark.parametrize("most", [0.05, 0.5])
+def test_a_jump_of_one_joint_is_borne_by_all(most):
+    """The torque of the other joint is that of a simulated jump, within its bound."""
+    model = planar()
+    law = screwgen.gains(model, [[0.0, 0.4]], bounds={"jump": [0.05, 0.0], "efforts": [40.0, most]})
+    pd = screwgen.PD(tuple(law.kp), tuple(law.kd), (0.05, 0.4))
+    run = screwgen.simulate(model, 3.0, 1e-3, q0=[0.0, 0.4], controller=pd)
+    told = np.abs(run.tau).max(axis=0)
+    assert told[1] < 1.05 * most and told == pytest.approx(law.jump_efforts, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    "friction", [{"coulomb": 5.0, "velocity": 0.01}, {"bend": {"friction": 5.0, "velocity": 0.01}}]
+)
+def test_dry_friction_is_no_damping_of_a_design(friction):
+    """Its slope at rest would be 500 N·m·s/rad."""
     rod = {"name": "rod", "length": 1.0, "bodies": [{"at": "tip", "mass": 1.0}], "section": {"rhoA": 0.5, "EIz": 60.0}}
-    rod |= {"modes": {"bending_y": 1}, "joint": {"axes": ["z"], "drives": [drive]}}
-    dry = screwgen.gains(model_of(arm(rod, gravity=[0.0, 0.0, 0.0])), [[0.0]])
-    slipping = screwgen.gains(
-        model_of(arm(rod | {"joint": {"axes": ["z"], "armature": [0.1]}}, gravity=[0.0] * 3)), [[0.0]]
-    )
-    assert np.allclose(dry.kp, slipping.kp, rtol=1e-2) and np.allclose(dry.kd, slipping.kd, rtol=1e-2)
+    rod |= {"modes": {"bending_y": 1}}
+    laws = []
+    for drive in ({"rotor_inertia": 0.1, "friction": friction}, {"rotor_inertia": 0.1}):
+        joint = {"axes": ["z"], "drives": [drive]}
+        laws.append(screwgen.gains(model_of(arm(rod | {"joint": joint}, gravity=[0.0, 0.0, 0.0])), [[0.0]]))
+    assert np.allclose(laws[0].kp, laws[1].kp, rtol=1e-2) and np.allclose(laws[0].kd, laws[1].kd, rtol=1e-2)
 
 
-def test_limits_that_parameters_change_are_refused():
-    rod = {"name": "rod", "length": 1.0, "bodies": [{"at": "tip", "mass": 1.0}]}
-    rod["joint"] = {"axes": ["z"], "armature": [0.1], "limits": [{"effort": 50.0}]}
-    model = model_of(arm(rod, gravity=[0.0, 0.0, 0.0]))
-    with pytest.raises(UsageError, match=r"rod.joint.limits\[0\].effort is 5, in the file 50"):
-        screwgen.plan(model, [0.0], [1.0], 1.0, parameters={"rod.joint.limits[0].effort": 5.0})
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda model, changed: screwgen.plan(model, [0.0, 0.0], [1.0, 0.0], 1.0, parameters=changed),
+        lambda model, changed: screwgen.gains(model, [[0.0, 0.0]], parameters=changed),
+        lambda model, _: screwgen.gains(model, [[0.0, 0.0]], models=[{"*.effort": 0.1}]),
+        lambda model, changed: screwgen.inverse_kinematics(model, [0.6, 0.6, 0.0], parameters=changed),
+        lambda model, _: screwgen.lqg(model, {"upper.joint.limits[0].effort": [0.5, 1.0]}),
+        lambda model, changed: screwgen.shape(model, [0.0, 0.0], [0.5, 0.0], parameters=changed),
+    ],
+)
+def test_limits_that_parameters_change_are_refused(ask):
+    with pytest.raises(UsageError, match=r"parameters: upper.joint.limits\[0\].effort is \S+, in the file 40"):
+        ask(planar(), {"upper.joint.limits[0].effort": 4.0})
+
+
+@pytest.mark.parametrize(
+    ("limits", "said"),
+    [
+        ({"upper": [np.nan, 1.0]}, "limits: upper: holds nan"),
+        ({"lower": [0.5, 0.0], "upper": [-0.5, 1.0]}, "lower 0.5 of upper.joint[0] is above upper -0.5"),
+    ],
+)
+def test_limits_that_are_none_are_named(limits, said):
+    with pytest.raises(UsageError) as caught:
+        screwgen.plan(planar(), [0.0, 0.0], [1.0, 0.0], 1.0, limits=limits)
+    assert said in str(caught.value)
+
+
+@pytest.mark.parametrize("angle", [1.2, -1.2])
+def test_an_integral_stands_still_at_the_limit_on_either_side_of_a_crank(angle):
+    """On one side of it the joint turns on when the cylinder pushes, on the other when it pulls."""
+    crank = {"crank": 0.3, "base": 1.0, "angle": angle}
+    joint = {"drives": {"rotor_inertia": 0.5, "transmission": crank}}
+    rod = link("rod", axes=["z"], length=1.0, section={"rhoA": 0.6, "EIy": 900.0, "EIz": 900.0}, joint=joint)
+    rod["bodies"] = [{"at": "tip", "mass": 5.0}]
+    goal = np.sign(angle) * 0.5
+    law = PID((200.0,), (60.0,), (goal,), tau_max=(12.0,), ki=(150.0,))
+    run = screwgen.simulate(model_of({**arm(rod), "gravity": [0.0, 0.0, 0.0]}), 12.0, 2e-3, controller=law)
+    assert np.abs(run.q[:, 0]).max() < 0.8

@@ -213,7 +213,7 @@ def test_the_command_writes_tables_or_c(tmp_path, capsys):
     asked = ["gains", str(robot), "--lqg", "--grid", "rod.joint[0]=-0.2,0.2", "--at", "0.1"]
     assert main([*asked, "-o", str(tmp_path / "law.npz")]) == 0
     printed = capsys.readouterr().out
-    assert "2 vertices, each of 2 arms: stable" in printed and "200 random points" in printed
+    assert "2 vertices, each of 2 arms: stable, slowest decay" in printed and "200 random points" in printed
     assert screwgen.read_lqg(tmp_path / "law.npz").q_des == pytest.approx([0.1])
     assert main([*asked, "-o", str(tmp_path / "out"), "--target", "c", "--quiet"]) == 0
     assert (tmp_path / "out" / "boom_lqg.c").read_text() == screwgen.read_lqg(tmp_path / "law.npz").c()["boom_lqg.c"]

@@ -71,7 +71,7 @@ class GainSearch:
     def cost(self, x: np.ndarray) -> float:
         """What is minimised: slowness, then size, and growth above all."""
         law = self.gains(x)
-        decay, damping, margin = self.figures(law)
+        decay, damping, margin, _ = self.figures(law)
         for factor, loops in ((SPARE, self.loops), (1.0, self.others)):
             if loops:
                 margin = min(margin, LoopFigures.of([y.poles(law.times(factor)) for y in loops], self.band).margin)

@@ -14,7 +14,6 @@ from ..robot_model import RobotModel
 from .further_modes import with_further_modes
 from .gain_bounds import GainBounds
 from .gain_search import GROWTH, GainSearch
-from .limits import check_limit_numbers
 from .loop_margins import LoopMargin, loop_margins, worst
 from .make import scaled
 from .members import Still
@@ -24,7 +23,7 @@ from .sampled_loop import LoopFigures, LoopGains, SampledLoop, noise_torques, st
 STEP = 1e-3
 BAND = 0.025
 """Up to which frequency motions count as those of the loop, times the step."""
-ROUNDS = 3
+ROUNDS = 5
 """How often gains are sought with bounds drawn closer, where the whole loop exceeds what one gain alone would not."""
 SAMPLES = 3000
 """How many samples are looked at after a jump of references."""
@@ -38,14 +37,10 @@ class JointGains:
     kd: np.ndarray
     ki: np.ndarray | None
     """None without integral."""
-    decay: float
-    """1/s: of the slowest motion of the loop below `band`."""
-    damping: float
-    """The least damping ratio of the motions below `band`."""
+    figures: LoopFigures
+    """How its motions decay; no damping of materials is assumed beyond the file's."""
     band: float
     """Hz: up to where motions count as those of the loop."""
-    margin: float
-    """The least damping ratio of all motions, fast ones too; no damping of materials is assumed beyond the file's."""
     spare: float
     """The factor on all gains up to which nothing grows; at most ten."""
     postures: np.ndarray
@@ -60,11 +55,27 @@ class JointGains:
     """(n_joints,): the standard deviations of efforts that the noise of sensors causes."""
 
     @property
+    def decay(self) -> float:
+        """1/s: of the slowest motion of the loop below `band`."""
+        return self.figures.decay
+
+    @property
+    def damping(self) -> float:
+        """The least damping ratio of the motions below `band`."""
+        return self.figures.damping
+
+    @property
+    def margin(self) -> float:
+        """The least damping ratio of all motions, fast ones too."""
+        return self.figures.margin
+
+    @property
     def line(self) -> str:
         """The figures in words."""
+        x = self.figures
         return (
-            f"slowest decay {self.decay:.3g} 1/s and least damping {self.damping:.3g} up to {self.band:.3g} Hz; "
-            f"least damping of all {self.margin:.2g}; all gains may grow by a factor {self.spare:.3g}"
+            f"slowest decay {x.decay:.3g} 1/s and least damping {x.damping:.3g} up to {self.band:.3g} Hz; "
+            f"least damping of all {x.margin:.2g}{x.growing}; all gains may grow by a factor {self.spare:.3g}"
         )
 
     @property
@@ -73,8 +84,7 @@ class JointGains:
         out = [self.line]
         if self.further is not None:
             x = self.further
-            said = f"slowest decay {x.decay:.3g} 1/s, least damping {x.damping:.3g}, of all {x.margin:.2g}"
-            out.append(f"with the next two modes per plane: {said}")
+            out.append(f"with the next two modes per plane: {x.words}")
         for what, efforts in (("after the jump of references", self.jump_efforts), ("by noise", self.noise_efforts)):
             if efforts.any():
                 deviations = "standard deviations of " * (what == "by noise")
@@ -118,7 +128,6 @@ def gains(
     limits = GainBounds.of(bounds or {}, model.chain.efforts)
     at = postures_within(model, postures)
     values = model.chain.parameters.vector(parameters)
-    check_limit_numbers(model, values)
     ways = [values, *(scaled(model, values, f) for f in models)]
     own = RestLoops.of(model, ways, at, step)
     richer = with_further_modes(model)
@@ -136,9 +145,8 @@ def gains(
     each = [loop_margins(loop.closed(law), step) for loop in own.loops]
     return JointGains(
         *law,
-        *figures[:2],
+        figures,
         BAND / step,
-        figures.margin,
         search.spare(law),
         at,
         tuple(worst(each[k * count : (k + 1) * count]) for k in range(len(at))),
@@ -196,7 +204,8 @@ def _within_bounds(search: GainSearch, own: RestLoops, limits: GainBounds) -> tu
         by_noise = np.where(noise > 0, noise / limits.noise_efforts, 0.0)
         if max(by_jump.max(), by_noise.max()) <= 1 + GROWTH:
             return law, efforts, noise
-        search = search.closer(law, np.maximum(by_jump, by_noise), by_noise)
+        pushed = np.where(limits.jump > 0, by_jump.max(), by_jump)  # what jumps moves the other joints too
+        search = search.closer(law, np.maximum(pushed, by_noise), by_noise)
     named = "efforts after the jump" if by_jump.max() > 1 + GROWTH else "noise_efforts"
     raise UsageError(
         f"bounds: {named}: no gains keep them within {ROUNDS} searches; raise this bound, or bound kp and kd"

@@ -12,7 +12,6 @@ from ..arguments import Numbers, array
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.load import one_line
-from ..spec.parameters import parameters
 from .task import MotionLimits
 
 HEADROOM = 0.97
@@ -21,14 +20,6 @@ LEAST = {"lower": -np.inf, "upper": -np.inf, "rates": 0.0, "efforts": 0.0, "effo
 """What a limit of the joints has to be more than, of efforts at least."""
 NAMED = ("strains", "wrenches")
 """Limits of what is not one number per joint: tables of names or patterns and numbers."""
-
-
-def check_limit_numbers(model: RobotModel, p: np.ndarray) -> None:
-    """Refuse parameters (n,) whose limits of joints are not those of the file, which plans and laws keep."""
-    for one, value in zip(parameters(model.robot), p, strict=True):
-        if ".limits" in one.name and value != one.value:
-            said = f"parameters: {one.name} is {value:g}, in the file {one.value:g}"
-            raise UsageError(f"{said}; motions keep the limits of the file: change these there, or state tighter ones")
 
 
 def motion_limits(
@@ -41,6 +32,8 @@ def motion_limits(
             raise UsageError(f"limits: there is no '{name}'; choose of {', '.join((*LEAST, *NAMED))}")
     own = {key: array(x, f"limits: {key}:", (m,), finite=False) for key, x in given.items() if key in LEAST}
     for key, values in own.items():
+        if np.isnan(values).any():
+            raise UsageError(f"limits: {key}: holds nan; give numbers, or inf where there is no limit")
         if key in ("rates", "effort_rates") and not (values > 0).all():
             raise UsageError(f"limits: {key}: must be positive")
         if key == "efforts" and not (values >= 0).all():
@@ -49,9 +42,15 @@ def motion_limits(
     if gains is not None and getattr(gains, "tau_max", None) is not None:
         efforts = np.minimum(efforts, np.asarray(gains.tau_max, float))
     none = np.full(m, np.inf)
+    lower = np.maximum(model.chain.limits[:, 0], own.get("lower", -none))
+    upper = np.minimum(model.chain.limits[:, 1], own.get("upper", none))
+    if (crossed := lower > upper).any():
+        j = int(crossed.argmax())
+        said = f"lower {lower[j]:g} of {model.q_names[j]} is above upper {upper[j]:g}"
+        raise UsageError(f"limits: {said}, those of the robot file counted; leave a range between")
     return MotionLimits(
-        np.maximum(model.chain.limits[:, 0], own.get("lower", -none)),
-        np.minimum(model.chain.limits[:, 1], own.get("upper", none)),
+        lower,
+        upper,
         own.get("rates", none),
         headroom * efforts,
         own.get("effort_rates", none),

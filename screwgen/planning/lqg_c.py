@@ -32,6 +32,9 @@ def lqg_files(law: Lqg) -> dict[str, str]:
     if law.tables.M.shape[-1] == len(law.joints):
         raise UsageError("the law's robot: has no modes, whose laws have no C yet; take joint gains")
     grid = law.grid
+    for name, x in zip(grid.names, grid.values, strict=True):
+        if not (np.diff(x.astype(np.float32)) > 0).all():
+            raise UsageError(f"the law's grid: values of {name} are one number in single precision; take them apart")
     values = {
         "version": VERSION,
         "name": law.robot,

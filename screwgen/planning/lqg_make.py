@@ -14,7 +14,6 @@ from ..robot_model import RobotModel
 from .further_modes import with_further_modes
 from .gain_search import GROWTH
 from .joint_gains import BAND, STEP, margin_words, postures_within
-from .limits import check_limit_numbers
 from .loop_margins import loop_margins, worst
 from .lqg import Lqg
 from .lqg_design import LqgGains, LqgTuning, RestMatrices, closed_by, designed
@@ -61,7 +60,6 @@ def lqg(
         raise UsageError("efforts: must be > 0: the law needs a drive at every joint")
     over = Grid.of(model, grid)
     ways = [model.chain.parameters.vector(parameters)]
-    check_limit_numbers(model, ways[0])
     ways += [scaled(model, ways[0], factors) for factors in models]
     arms = LqgArms(model, with_further_modes(model), over, ways, postures_within(model, postures or [[0.0] * m]), step)
     rests = [arms.rest(x, arms.postures[0]) for x in over.vertices]
@@ -178,17 +176,11 @@ class LqgSearch:
     def _lines(self, law: Lqg, tuning: LqgTuning, figures: Mapping[str, LoopFigures], points: Points) -> list[str]:
         out = [f"bandwidth of the joints {tuning.bandwidth:.3g} rad/s, of the filter {tuning.filter:.3g} times that"]
         for name, x in figures.items():
-            said = f"slowest decay {x.decay:.3g} 1/s, least damping {x.damping:.3g}, of all {x.margin:.2g}"
-            out.append(f"{len(points[name])} {name}, each of {len(points[name][0][1])} arms: {_word(x)}, {said}")
+            out.append(f"{len(points[name])} {name}, each of {len(points[name][0][1])} arms: stable, {x.words}")
         if self.arms.richer is not None:
             out.append("of these arms one has the next two modes per plane")
         margins = [loop_margins(closed_by(loops[0], law.at(x)), law.step) for x, loops in points["vertices"]]
         return out + [f"joint {j}, all vertices: {margin_words(x)}" for j, x in enumerate(worst(margins))]
-
-
-def _word(figures: LoopFigures) -> str:
-    """What grows, if anything does."""
-    return "stable" if figures.margin >= 0 else "stable but for fast motions that no damping of the file holds"
 
 
 def _stable(figures: LoopFigures) -> bool:

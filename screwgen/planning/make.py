@@ -13,7 +13,7 @@ from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.plan import INTERVALS, LARGEST, LEAST, SHORTEST
 from .collocation import at_points
-from .limits import HEADROOM, check_limit_numbers, motion_limits
+from .limits import HEADROOM, motion_limits
 from .members import PlannedModel, Still, member
 from .plan import MotionPlan
 from .refusals import check_ends, no_plan, refuse_robot
@@ -63,7 +63,6 @@ def plan(
     duration = seconds(time, "the time") if fixed else 1.0
     task = Task(*ends, duration, intervals, law, bounds, waypoints(through, *ends, time))
     values = model.chain.parameters.vector(parameters)
-    check_limit_numbers(model, values)
     own, others = Still(model, values), [Still(model, scaled(model, values, factors)) for factors in models]
     first = check_ends(task, model, own, fixed)
     task = task.measured_in(np.array(own.inertia(first.q))[:m, :m], first.torque)

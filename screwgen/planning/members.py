@@ -18,9 +18,12 @@ from ..errors import UsageError
 from ..lazily import linalg
 from ..robot_model import RobotModel
 from ..spec.dry_friction import without_dry_friction
+from ..spec.parameters import parameters
 from .task import JointLaw, Task
 
 STEPS, SETTLED = 50, 1e-11
+LIMITS = (".effort", ".lower", ".upper")
+"""The ends of the names of limits that motions keep."""
 
 
 @dataclass(frozen=True)
@@ -42,15 +45,16 @@ class Still:
 
     def __init__(self, model: RobotModel, p: np.ndarray):
         self.model, self.p = model, p
+        _check_limits(model, p)
         found = model.once("forces at rest", partial(_forces_at_rest, model))
         n = model.nq
         q, v, a = (ca.SX.sym(name, n) for name in "qva")
         self.joints = model.n_joints
         force = model.casadi()["inverse_dynamics"](q, v, a, ca.DM.zeros(6, model.n_links), p)
         self.residual = ca.Function("residual", [q, v, a], [force])
-        dry = without_dry_friction(model.robot, p)
+        slipping = without_dry_friction(model.robot, p, bend=False)
         self.statics, self.damping, self.inertia = (
-            partial(_at, f, own) for f, own in zip(found, (p, dry, p), strict=True)
+            partial(_at, f, own) for f, own in zip(found, (p, slipping, p), strict=True)
         )
 
     @cached_property
@@ -122,6 +126,14 @@ def _forces_at_rest(model: RobotModel) -> tuple[ca.Function, ...]:
         ca.Function("damping", [q, p], [damping]),
         ca.Function("inertia", [q, p], [inertia]),
     )
+
+
+def _check_limits(model: RobotModel, p: np.ndarray) -> None:
+    """Refuse parameters (n,) whose limits of joints are not those of the file, which plans and laws keep."""
+    for one, value in zip(parameters(model.robot), p, strict=True):
+        if ".limits" in one.name and one.name.endswith(LIMITS) and value != one.value:
+            said = f"parameters: {one.name} is {value:g}, in the file {one.value:g}"
+            raise UsageError(f"{said}; motions keep the limits of the file: change these there, or state tighter ones")
 
 
 def _at(function: ca.Function, p: np.ndarray, q: np.ndarray) -> Any:

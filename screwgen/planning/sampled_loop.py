@@ -115,6 +115,19 @@ class LoopFigures(NamedTuple):
     """The least damping ratio below the band."""
     margin: float
     """The least damping ratio of all."""
+    growth: float
+    """1/s: of what grows fastest; negative where all decays."""
+
+    @property
+    def growing(self) -> str:
+        """What grows, in words, if anything does: fast motions by less than materials take out of them."""
+        return f", which grows by {self.growth:.2g} 1/s unless its material damps it" if self.growth > 0 else ""
+
+    @property
+    def words(self) -> str:
+        """The figures in words."""
+        decays = f"slowest decay {self.decay:.3g} 1/s, least damping {self.damping:.3g}"
+        return f"{decays}, of all {self.margin:.2g}{self.growing}"
 
     @classmethod
     def of(cls, each: list[np.ndarray], band: float) -> LoopFigures:
@@ -122,7 +135,7 @@ class LoopFigures(NamedTuple):
         slow = np.concatenate([s[np.abs(s.imag) < 2 * np.pi * band] for s in each])
         every = np.concatenate(each)
         slow = slow if len(slow) else every
-        return cls(float((-slow.real).min()), _ratio(slow), _ratio(every))
+        return cls(float((-slow.real).min()), _ratio(slow), _ratio(every), float(every.real.max()))
 
 
 def _ratio(s: np.ndarray) -> float:

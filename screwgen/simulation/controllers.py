@@ -191,6 +191,11 @@ class PD:
         return not self.waypoints and self.gravity is None and self.efforts is None
 
     @property
+    def proportional(self) -> bool:
+        """Whether joints are fed back by its gains; not if the law has a model of its own for that."""
+        return True
+
+    @property
     def set_points(self) -> tuple[tuple[float, tuple[float, ...]], ...]:
         """Times (s), ascending, and angles (rad) at which the reference is at rest, from its start to its goal."""
         if self.duration is None or self.q_start is None:

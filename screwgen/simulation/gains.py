@@ -67,7 +67,7 @@ def gains_of(law: Any, model: RobotModel, p: np.ndarray, at: Posture, ended: boo
     function of `(t, q, v)` are estimated by differences, if it is smooth and quick: before a run only if it has no side
     effects (`pure`), after one in any case.
     """
-    plain = isinstance(law, PD)
+    plain = isinstance(law, PD) and law.proportional
     if plain and law.efforts is None and law.ahead_of_joints is None:
         return _by_joint(_stated(law, model), law, model)
     if plain:

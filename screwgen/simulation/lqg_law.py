@@ -46,6 +46,11 @@ class LqgLaw(PD):
         return cls((0.0,) * m, (0.0,) * m, goal, tau_max=limits, lqg=lqg, **reference)
 
     @property
+    def proportional(self) -> bool:
+        """Never: its gains are zero."""
+        return False
+
+    @property
     def tables(self) -> Lqg:
         """The tables of the law."""
         assert self.lqg is not None

@@ -160,7 +160,8 @@ def test_a_wanted_decay_is_had_with_smaller_gains():
     ("bounds", "said"),
     [
         ({"decay": 80.0}, r"bounds: decay: 80 is wanted, [\d.]+ was found; ask for less"),
-        ({"kp": [0.0]}, r"bounds: kp: must be > 0: the largest gains"),
+        ({"kp": [0.0]}, r"bounds: kp: all are 0; state the largest gains"),
+        ({"kd": [-1.0]}, r"bounds: kd: must be >= 0: the largest gains"),
         ({"kp": [1.0, 2.0]}, r"bounds: kp: has 2 numbers; it must have 1"),
         ({"damping": 1.5}, r"bounds: damping is 1.5; it must be less than 1"),
         ({"speed": 1.0}, r"bounds: there is no 'speed'; choose of decay, "),
@@ -299,3 +300,19 @@ def test_an_integral_stands_still_at_the_limit_on_either_side_of_a_crank(angle):
     law = PID((200.0,), (60.0,), (goal,), tau_max=(12.0,), ki=(150.0,))
     run = screwgen.simulate(model_of({**arm(rod), "gravity": [0.0, 0.0, 0.0]}), 12.0, 2e-3, controller=law)
     assert np.abs(run.q[:, 0]).max() < 0.8
+
+
+def test_a_joint_that_no_drive_moves_has_no_gains():
+    """A load on a rope below a trolley: its sway decays by what the trolley does."""
+    cart = {
+        "name": "cart",
+        "joint": {"axes": [{"slide": "x"}], "armature": [5.0]},
+        "bodies": [{"at": "tip", "mass": 5.0}],
+    }
+    rope = {"name": "rope", "joint": {"axes": ["y"]}, "bodies": [{"at": "tip", "mass": 2.0, "com": [0.0, 0.0, -1.0]}]}
+    model = model_of(arm(cart, rope, gravity=[0.0, 0.0, -9.81]))
+    law = screwgen.gains(model, [[0.0, 0.0]], bounds={"kp": [1e4, 0.0], "kd": [1e4, 0.0]})
+    assert law.kp[1] == law.kd[1] == 0.0 and sum("joint 1" in line for line in law.lines) == 0
+    pd = screwgen.PD(tuple(law.kp), tuple(law.kd), (0.0, 0.0))
+    run = screwgen.simulate(model, 8.0 / law.decay, 1e-3, q0=[0.0, 0.1], controller=pd)
+    assert np.abs(run.q[-1]).max() < 0.1 * np.exp(-6)

@@ -14,7 +14,7 @@ from ..errors import UsageError
 ABOUT = {
     "decay": "the decay wanted, 1/s; gains are then as small as it allows",
     "damping": "the least damping ratio wanted",
-    "kp": "the largest gains, N·m/rad (slides: N/m)",
+    "kp": "the largest gains, N·m/rad (slides: N/m); 0 for a joint that no drive moves",
     "kd": "the largest gains, N·m·s/rad (slides: N·s/m)",
     "ki": "the largest gains, N·m/(rad·s) (slides: N/(m·s))",
     "jump": "a jump of all references, rad (slides: m), that efforts have to bear",
@@ -24,7 +24,8 @@ ABOUT = {
     "noise_efforts": "the largest standard deviations of efforts that this noise may cause, N·m (slides: N)",
 }
 """What each bound is; all but `SCALARS` have an entry for each joint."""
-SCALARS, SIZES = ("decay", "damping"), ("jump", "noise_q", "noise_v")
+SCALARS, SIZES = ("decay", "damping"), ("kp", "kd", "ki", "jump", "noise_q", "noise_v")
+UNSTATED = ("jump", "noise_q", "noise_v")
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +55,7 @@ class GainBounds:
         if "efforts" in given and "jump" not in given:
             raise UsageError("bounds: efforts is stated without jump, after which they act; state jump")
         unbounded: dict[str, Any] = dict.fromkeys(ABOUT, np.full(len(limits), np.inf)) | {"efforts": limits}
-        unbounded |= dict.fromkeys(SIZES, np.zeros(len(limits))) | dict.fromkeys(SCALARS, 0.0)
+        unbounded |= dict.fromkeys(UNSTATED, np.zeros(len(limits))) | dict.fromkeys(SCALARS, 0.0)
         return cls(**(unbounded | found))
 
     @property
@@ -82,6 +83,8 @@ def _checked(key: str, value: Any, m: int) -> Any:
     found = array(value, f"bounds: {key}:", () if key in SCALARS else (m,))
     if not ((found >= 0) if key in SIZES else (found > 0)).all():
         raise UsageError(f"bounds: {key}: must be {'>= 0' if key in SIZES else '> 0'}: {ABOUT[key]}")
+    if key in ("kp", "kd") and not found.any():
+        raise UsageError(f"bounds: {key}: all are 0; state {ABOUT[key]}")
     if key == "damping" and found >= 1:
         raise UsageError(f"bounds: damping is {found:g}; it must be less than 1")
     return found if found.ndim else found.item()

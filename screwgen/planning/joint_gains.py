@@ -91,7 +91,8 @@ class JointGains:
                 out.append(f"{deviations}efforts {what}: {', '.join(f'{x:.3g}' for x in efforts)}")
         for q, loops in zip(self.postures, self.margins, strict=True):
             at = ", ".join(f"{x:g}" for x in q)
-            out += [f"at {at}: joint {j}: {margin_words(margin)}" for j, margin in enumerate(loops)]
+            driven = [j for j in range(len(loops)) if self.kp[j] or self.kd[j]]
+            out += [f"at {at}: joint {j}: {margin_words(loops[j])}" for j in driven]
         return out
 
 

@@ -28,6 +28,8 @@ from conformance.twin import first_piece
 CONDITION = 1e8
 DEFINITE = 1e-5
 """The least eigenvalue of a mass matrix whose diagonal is scaled to one."""
+QUICK = 2e5
+"""The largest acceleration of a joint, rad/s^2 or m/s^2: a step of 1 ms moves it by 0.1."""
 PARTS = ("base", "joints", "rotors", "modes", "internal")
 
 
@@ -56,7 +58,9 @@ class Judge:
         M = self.oracle.mass_matrix(q)
         sizes = np.sqrt(np.abs(np.diag(M)))
         definite = np.linalg.eigvalsh(M / np.outer(sizes, sizes))[0] > DEFINITE and np.linalg.cond(M) < CONDITION
-        return bool(definite and (self.rows is None or self.rows.condition(q) < CONDITION))
+        if not (definite and (self.rows is None or self.rows.condition(q) < CONDITION)):
+            return False
+        return bool(np.abs(self.vdot[: self.oracle.n_joint]).max(initial=0.0) < QUICK)
 
     @cached_property
     def condition(self) -> float:

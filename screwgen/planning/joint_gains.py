@@ -1,4 +1,4 @@
-"""Gains of a joint law from the sampled closed loop, over postures and models: the fastest decay of what is slowest."""
+"""Gains of a joint law from the sampled closed loop, over postures and models: its slowest motion decays fastest."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ STEP = 1e-3
 BAND = 0.025
 """Up to which frequency motions count as those of the loop, times the step."""
 ROUNDS = 5
-"""How often gains are sought with bounds drawn closer, where the whole loop exceeds what one gain alone would not."""
+"""How often gains are sought, with closer bounds each time: the whole loop may exceed what one gain alone keeps."""
 SAMPLES = 3000
-"""How many samples are looked at after a jump of references."""
+"""Over how many samples after a jump of references its largest efforts are sought."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,15 +112,15 @@ def gains(
     bounds: Mapping[str, Any] | None = None,
     parameters: Given = None,
 ) -> JointGains:
-    """Gains `kp`, `kd` of all joints under which what is slowest decays fastest, in all `postures` and `models`.
+    """Gains `kp`, `kd` of all joints under which the slowest motion decays fastest, in all `postures` and `models`.
 
     The loop is the one that a clock of `step` seconds closes: torques are held between samples. `models`: factors of
-    parameters, as :func:`plan` has them. What counts are motions up to a fortieth of the clock's rate; faster ones,
-    also those of the next two modes of every plane, may only not grow, with twice the gains neither.
+    parameters, as :func:`plan` has them. The decay is that of motions up to a fortieth of the clock's rate. Faster
+    ones, also those of the next two modes of every plane, must not grow, and must not with twice the gains.
 
-    `integral`: whether the law also sums up what joints lack, with gains `ki`. `bounds`: `decay` and `damping` wanted;
-    the largest `kp`, `kd` and `ki` (n_joints,); `jump` (n_joints,) of the references and the largest `efforts` after
-    it; `noise_q`, `noise_v` (n_joints,) of what is measured and the largest deviations `noise_efforts` of efforts.
+    `integral`: whether the law also integrates the errors of joints, with gains `ki`. `bounds`: `decay` and `damping`
+    wanted; the largest `kp`, `kd` and `ki` (n_joints,); `jump` (n_joints,) of the references and the largest `efforts`
+    after it; `noise_q`, `noise_v` (n_joints,) of sensors and the largest deviations `noise_efforts` of efforts.
 
     Raises UsageError where no gains are stable, or none keep the bounds.
     """

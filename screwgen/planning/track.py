@@ -33,7 +33,7 @@ FLAT = 1e-3
 JUMPS = 1.6
 """The ratio of the largest accelerations over one step and over two: 4 where a path jumps, 2 where its rate does."""
 CUT = 2e-5
-"""What may be cut off where the preview begins and ends, by the joints' way."""
+"""The share of the joints' way that may be cut off at either end of the preview."""
 
 
 def track(
@@ -151,7 +151,7 @@ def _rigid(model: RobotModel, tip: ca.Function, goal: np.ndarray, near: np.ndarr
 
 
 def _check_cut(joints: np.ndarray, played: slice, preview: float) -> None:
-    """Refuse a preview that leaves out more of the motion than little."""
+    """Refuse a preview that leaves out more than `CUT` of the motion."""
     way = np.ptp(joints, axis=0).max()
     for outside, what in ((joints[: played.start + 1], "begins"), (joints[played.stop - 1 :], "ends")):
         left = np.ptp(outside, axis=0).max()

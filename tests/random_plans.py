@@ -197,11 +197,12 @@ def faults(asked: Asked, plan: screwgen.MotionPlan) -> tuple[str, str]:
     fine = plan.reference(np.linspace(0.0, plan.time, 2000))
     broken = [f"residual {share:.1e}"] if share > 1e-3 else []
     broken += [f"{arrived.saturated} saturated"] if arrived.saturated else []
-    for name, values, over in (("rates", np.abs(fine[1]), 1.02), ("upper", fine[0], 1.0), ("lower", -fine[0], 1.0)):
+    way = np.ptp(fine[0], axis=0)
+    for name, values, size in (("rates", np.abs(fine[1]), None), ("upper", fine[0], way), ("lower", -fine[0], way)):
         if name in asked.limits:
             bound = -asked.limits[name] if name == "lower" else asked.limits[name]
-            excess = (values - over * bound).max()
-            broken += [f"{name} exceeded by {excess:.1e}"] if excess > 2e-3 * np.ptp(fine[0], axis=0).max() else []
+            excess = ((values - bound) / (bound if size is None else size)).max(initial=-1.0, where=np.isfinite(bound))
+            broken += [f"{name} exceeded by {excess:.1e} of their size"] if excess > 1e-3 else []
     return ", ".join(broken), f"{share:.1e} of the way, {plan.time:.2f} s, {arrived.line}"
 
 

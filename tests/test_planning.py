@@ -34,7 +34,7 @@ def bang_bang(way, effort, inertia, frequency):
     """
     w = 2 * np.pi * frequency
     h = np.linspace(np.sqrt(way * inertia / effort), 3 * np.sqrt(way * inertia / effort), 400001)
-    s = np.sqrt((h**2 - way * inertia / effort) / 2)
+    s = np.sqrt(np.maximum(h**2 - way * inertia / effort, 0.0) / 2)
     open_by = 1 + np.cos(w * h) - 2 * np.cos(w * s)
     k = int(np.flatnonzero(np.diff(np.sign(open_by)) != 0)[0])
     return 2 * h[k]
@@ -59,6 +59,15 @@ def test_a_plan_leaves_its_model_at_rest_and_keeps_limits():
     tight = screwgen.plan(model, [0.0], [1.0], 0.9, gains=LAW, limits={"efforts": most})
     assert (tight.effort <= 0.97 * most * (1 + 1e-6)).all() and tight.said["cost"] > plan.said["cost"]
     assert screwgen.play(model, tight, step=5e-4).saturated == 0
+
+
+def test_limits_hold_between_the_points_of_a_plan():
+    model, t = one_mode(), np.linspace(0.0, 0.9, 5001)
+    free = screwgen.plan(model, [0.0], [1.0], 0.9, gains=LAW, intervals=12)
+    most = 0.87 * np.abs(free.reference(t)[1]).max()
+    plan = screwgen.plan(model, [0.0], [1.0], 0.9, gains=LAW, intervals=12, limits={"rates": [most]})
+    assert np.abs(plan.v).max() == pytest.approx(most, rel=1e-3)
+    assert np.abs(plan.reference(t)[1]).max() <= (1 + 2e-4) * most
 
 
 def smooth(plan):

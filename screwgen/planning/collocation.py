@@ -15,7 +15,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from .hermite import hermite
+from .between import Curve, place
 from .members import PlannedModel
 from .task import Task
 
@@ -111,7 +111,7 @@ def transcribed(
     ]
     first = motions[0].joints(m)
     for point in task.through:
-        made.zero(_passed(first, point.share, task.time) - ca.DM(point.joints))
+        made.zero(_passed(first, point.share, task.time)[0] - ca.DM(point.joints))
     for i, (member, motion) in enumerate(zip(members, motions, strict=True)):
         own, applied = motion.joints(m), everywhere
         if i:
@@ -123,6 +123,7 @@ def transcribed(
         made.zero((residual[:m, :] - applied) / member.force_scale)
         made.zero(residual[m:, :] / member.force_scale)
         _bounded_loads(made, task, member, motion)
+        _bounded_between(made, task, member, motion)
     _each_within(made, (torques[:, 1:] - torques[:, :-1]) * (N / task.time), task.limits.effort_rates)
     steps = (torques[:, 1:] - torques[:, :-1]) / members[0].force_scale
     made.cost += ca.sumsqr(steps) * N
@@ -131,13 +132,26 @@ def transcribed(
     return Transcription(made, motions, torques, unpack)
 
 
-def _passed(motion: Trajectory, share: float, time: float) -> Vector:
-    """Coordinates at a share of the time, on the polynomials of order 5 that a plan has between its points."""
-    stretches = motion.q.shape[1] - 1
-    k = min(int(share * stretches), stretches - 1)
-    h, s = time / stretches, share * stretches - k
-    (q0, q1), (v0, v1), (a0, a1) = ((x[:, k], x[:, k + 1]) for x in (motion.q, motion.v, motion.a))
-    return hermite(q0, q1, h * v0, h * v1, h * h * a0, h * h * a1, s)
+def _passed(motion: Trajectory, share: float, time: float) -> tuple[Vector, Vector]:
+    """Coordinates and rates at a share of the time, on the polynomials of order 5 between points."""
+    points = motion.q.shape[1]
+    return Curve(motion.q, motion.v, motion.a, time / (points - 1)).at(*place(share, points))
+
+
+def _bounded_between(made: Programme, task: Task, member: PlannedModel, motion: Trajectory) -> None:
+    """Ask that joints and strains keep their limits at the shares of the time that are named, too."""
+    limits, m = task.limits, len(task.start)
+    if not task.between:
+        return
+    q, v = (ca.horzcat(*x) for x in zip(*(_passed(motion, share, task.time) for share in task.between), strict=True))
+    _each_within(made, v[:m, :], limits.rates)
+    for sign, most in ((1.0, limits.upper), (-1.0, -limits.lower)):
+        limited = np.flatnonzero(np.isfinite(most)).tolist()
+        if limited:
+            most = most[limited, None]
+            made.within(sign * q[limited, :], np.full_like(most, -np.inf), most)
+    if np.isfinite(limits.strains).any():
+        _each_within(made, member.still.strains.map(len(task.between))(q), limits.strains)
 
 
 def _bounded_loads(made: Programme, task: Task, member: PlannedModel, motion: Trajectory) -> None:

@@ -9,6 +9,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from .between import broken
 from .collocation import Trajectory, transcribed
 from .members import PlannedModel
 from .task import Task
@@ -82,6 +83,9 @@ def solve(
     sound = converged and (len(members) > 1 or left <= LEFT)
     if converged and not sound and task.weight < MOST_STRICT:
         again = solve(task.stricter(), members, there, progress)
+        return replace(again, iterations=again.iterations + there.iterations)
+    if sound and (shares := broken(task, members, found)):
+        again = solve(task.also_at(shares), members, there, progress)
         return replace(again, iterations=again.iterations + there.iterations)
     return replace(there, sound=sound)
 

@@ -67,6 +67,8 @@ class Task:
     """Of the energy that is left at the end, over that of the motion."""
     energy_scale: float = 1.0
     """What energies are measured in, J."""
+    between: tuple[float, ...] = ()
+    """Shares of the time, between the points of the programme, at which limits of joints and strains are asked too."""
 
     @property
     def way(self) -> np.ndarray:
@@ -81,6 +83,10 @@ class Task:
     def stricter(self) -> Task:
         """The same where what is left at the end costs more."""
         return replace(self, weight=STRICTER * self.weight)
+
+    def also_at(self, shares: tuple[float, ...]) -> Task:
+        """The same with limits at further shares of the time."""
+        return replace(self, between=self.between + shares)
 
     def measured_in(self, inertia: np.ndarray, holding: np.ndarray) -> Task:
         """The same with the sizes of its torques and energies, of an arm with an inertia (n_joints, n_joints)."""

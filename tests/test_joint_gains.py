@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from helpers import arm, link, model_of
+from helpers import arm, link, loaded_boom, model_of
 from robot_toml import to_toml
 
 import screwgen
@@ -19,20 +19,6 @@ STEP = 1e-3
 def rotor(inertia=0.4, **keys):
     """A rotor alone about a vertical axis."""
     rod = link("rod", axes=["z"], length=1.0, section={"rhoA": 1e-6}, modes={}, joint={"armature": [inertia]})
-    return {**arm({**rod, **keys}), "name": "boom", "gravity": [0.0, 0.0, 0.0]}
-
-
-def boom(**keys):
-    """A flexible boom with a load, that hangs or is free of gravity."""
-    rod = link(
-        "rod",
-        axes=["z"],
-        length=1.0,
-        section={"rhoA": 0.5, "EIy": 60.0, "EIz": 60.0},
-        modes={"bending_y": 2},
-        bodies=[{"at": "tip", "mass": 1.0}],
-        joint={"armature": [0.3]},
-    )
     return {**arm({**rod, **keys}), "name": "boom", "gravity": [0.0, 0.0, 0.0]}
 
 
@@ -99,7 +85,7 @@ def test_noise_of_torques_is_that_of_a_long_sequence():
 
 
 def test_efforts_after_a_jump_are_those_of_a_run():
-    model = model_of(boom())
+    model = model_of(loaded_boom())
     law = screwgen.gains(model, [[0.0]], bounds={"jump": [0.05], "efforts": [1.5]})
     run = screwgen.simulate(model, 3.0, STEP, [0.0], controller=screwgen.PD(law.kp, law.kd, (0.05,)))
     assert np.abs(run.tau).max() == pytest.approx(law.jump_efforts[0], rel=1e-3)
@@ -110,7 +96,7 @@ def test_efforts_after_a_jump_are_those_of_a_run():
 
 def test_an_integral_leaves_no_error_under_a_load_and_does_not_wind_up():
     """A constant torque that nobody knows of, and a drive that gives little."""
-    model = model_of(boom())
+    model = model_of(loaded_boom())
     found = screwgen.gains(model, [[0.0]], integral=True)
     push = np.array([[0.0, 0.0, 0.0, 0.0, 2.0, 0.0]])
     ends = {}
@@ -135,7 +121,7 @@ def test_an_integral_leaves_no_error_under_a_load_and_does_not_wind_up():
 
 
 def test_a_loop_with_an_integral_moves_as_runs_do():
-    model = model_of(boom())
+    model = model_of(loaded_boom())
     found = screwgen.gains(model, [[0.0]], integral=True)
     gains = LoopGains(found.kp, found.kd, found.ki)
     run = screwgen.simulate(model, 3.0, STEP, [0.02], controller=PID(*gains[:2], (0.0,), ki=gains.ki))
@@ -150,7 +136,7 @@ def test_a_loop_with_an_integral_moves_as_runs_do():
 
 
 def test_a_wanted_decay_is_had_with_smaller_gains():
-    model = model_of(boom())
+    model = model_of(loaded_boom())
     freely = screwgen.gains(model, [[0.0]])
     slower = screwgen.gains(model, [[0.0]], bounds={"decay": 0.5 * freely.decay})
     assert 0.49 * freely.decay <= slower.decay and slower.kp[0] * slower.kd[0] < 0.5 * freely.kp[0] * freely.kd[0]
@@ -171,21 +157,21 @@ def test_a_wanted_decay_is_had_with_smaller_gains():
 )
 def test_bounds_that_cannot_be_met_are_one_line(bounds, said):
     with pytest.raises(UsageError, match=said) as caught:
-        screwgen.gains(model_of(boom()), [[0.0]], bounds=bounds)
+        screwgen.gains(model_of(loaded_boom()), [[0.0]], bounds=bounds)
     assert "\n" not in str(caught.value)
 
 
 def test_postures_beyond_limits_and_arms_that_efforts_do_not_hold_are_refused():
-    limited = boom(joint={"axes": ["z"], "armature": [0.3], "limits": [{"lower": -1.0, "upper": 1.0}]})
+    limited = loaded_boom(joint={"armature": [0.3], "limits": [{"lower": -1.0, "upper": 1.0}]})
     with pytest.raises(UsageError, match=r"postures: rod\.joint\[0\] is 2; its limits are -1 and 1; choose one"):
         screwgen.gains(model_of(limited), [[2.0]])
-    hanging = {**boom(), "gravity": [0.0, -9.81, 0.0]}
+    hanging = loaded_boom(gravity=-9.81)
     with pytest.raises(UsageError, match=r"bounds: efforts: entry 0 is 5, and holding the arm takes 12\.\d+"):
         screwgen.gains(model_of(hanging), [[0.0]], bounds={"jump": [0.1], "efforts": [5.0]})
 
 
 def test_further_modes_are_stated_and_count():
-    found = screwgen.gains(model_of(boom()), [[0.0]])
+    found = screwgen.gains(model_of(loaded_boom()), [[0.0]])
     assert found.further is not None and found.further.margin >= -2e-4
     assert any(line.startswith("with the next two modes per plane: slowest decay") for line in found.lines)
     rigid = screwgen.gains(model_of(rotor()), [[0.0]])
@@ -194,10 +180,10 @@ def test_further_modes_are_stated_and_count():
 
 def test_the_command_takes_payloads_bounds_and_an_integral(tmp_path, capsys):
     robot, file = tmp_path / "boom.toml", tmp_path / "gains.toml"
-    robot.write_text(to_toml(boom()))
+    robot.write_text(to_toml(loaded_boom()))
     asked = ["gains", str(robot), "-o", str(file), "--at", "0.2", "--model", "*.bodies[0].mass=1.3,rod.EIz=0.9"]
     assert main([*asked, "--integral", "--bound", "kp=50", "--bound", "decay=1"]) == 0
-    printed, model = capsys.readouterr().out, model_of(boom())
+    printed, model = capsys.readouterr().out, model_of(loaded_boom())
     assert "at 0.2: joint 0: gain" in printed and "with the next two modes per plane" in printed
     law = read_pd(file, model)
     models = [{"*.bodies[0].mass": 1.3, "rod.EIz": 0.9}]
@@ -221,7 +207,7 @@ def test_the_command_takes_payloads_bounds_and_an_integral(tmp_path, capsys):
 )
 def test_the_command_refuses_in_one_line(tmp_path, capsys, given, said):
     robot = tmp_path / "boom.toml"
-    robot.write_text(to_toml(boom()))
+    robot.write_text(to_toml(loaded_boom()))
     assert main(["gains", str(robot), "-o", str(tmp_path / "gains.toml"), *given]) == 2
     error = capsys.readouterr().err
     assert said in error and error.count("\n") == 1 and not (tmp_path / "gains.toml").exists()

@@ -199,10 +199,10 @@ class Parameters:
 
     def check(self, rows: np.ndarray) -> None:
         """Refuse values (k, n) that a robot file may not state: raises UsageError that names the first of them."""
-        low = (rows < self.least) | ((rows == self.least) & self.positive)
-        if low.any():
-            row, k = map(int, np.argwhere(low)[0])
-            allowed = "> 0" if self.positive[k] else ">= 0"
+        bad = ~np.isfinite(rows) | (rows < self.least) | ((rows == self.least) & self.positive)
+        if bad.any():
+            row, k = map(int, np.argwhere(bad)[0])
+            allowed = "finite" if not np.isfinite(rows[row, k]) else "> 0" if self.positive[k] else ">= 0"
             raise UsageError(f"{_title(rows, row)}: {self.names[k]} is {rows[row, k]:g}; it must be {allowed}")
         for lower, upper in self.ranges:
             if (wrong := ~(rows[:, lower] < rows[:, upper])).any():

@@ -140,6 +140,13 @@ def arm(*links, gravity=(0.0, 0.0, -G), **more) -> dict:
     return {"name": "arm", "gravity": list(gravity), "links": list(links), **more}
 
 
+def loaded_boom(section=None, modes=2, gravity=0.0, **keys) -> dict:
+    """One link with a rotor, about z, that bends in the plane of gravity, along y, and carries 1 kg at its tip."""
+    section = {"rhoA": 0.5, "EIy": 60.0, "EIz": 60.0, **(section or {})}
+    own = {"modes": {"bending_y": modes}, "joint": {"armature": [0.3]}, "bodies": [{"at": "tip", "mass": 1.0}]}
+    return arm(link("rod", section=section, **(own | keys)), gravity=(0.0, gravity, 0.0)) | {"name": "boom"}
+
+
 def equal_links(count: int, classes: int = 1) -> dict:
     """A chain of flexible links that belong to one, two or three link classes by turns."""
     soft = {"EIy": 60.0, "EIz": 90.0, "rhoIp": 1e-3}

@@ -60,3 +60,14 @@ def test_parameters_in_their_old_place_do_not_warn(recwarn):
     named = screwgen.natural_frequencies(MODEL, X, parameters=values)
     assert np.array_equal(screwgen.natural_frequencies(MODEL, X, "locked", values), named)
     assert np.array_equal(MODEL.numpy(values).p, values) and not len(recwarn)
+
+
+@pytest.mark.parametrize(
+    ("mass", "said"), [(np.nan, "is nan; it must be finite"), (np.inf, "is inf; it must be finite"), (-1.0, ">= 0")]
+)
+def test_a_robot_whose_parts_were_edited_without_validation_is_refused_in_a_line(mass, said):
+    robot = model_of(arm(link(bodies=[{"at": "tip", "mass": 1.0}]))).robot
+    body = robot.links[0].bodies[0].model_copy(update={"mass": mass})
+    edited = robot.model_copy(update={"links": (robot.links[0].model_copy(update={"bodies": (body,)}),)})
+    with pytest.raises(UsageError, match=rf"^parameters: arm\.bodies\[0\]\.mass .*{said}$"):
+        screwgen.equilibrium(screwgen.derive(edited))

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -17,7 +18,7 @@ from oracle import Oracle
 
 from screwgen import __version__, derive, load
 from screwgen.cli.commands import EVALUATIONS
-from screwgen.cli.main import main
+from screwgen.cli.main import application, main
 from screwgen.simulation.controllers import PD, Holding
 from screwgen.simulation.simulate import FORMS, simulate
 from screwgen.studies.assemble import assemble
@@ -70,6 +71,11 @@ def test_help_lists_the_commands(capsys):
     text = run(capsys, "--help")
     assert all(name in text for name in (*COMMANDS, "paper", "Exit status"))
     assert "╭" not in text
+
+
+def test_the_page_of_commands_has_them_all():
+    page = (ROOT / "docs/commands.md").read_text()
+    assert set(re.findall(r"^    screwgen (\w+)", page, re.M)) == set(application().commands)
 
 
 @pytest.mark.parametrize("command", COMMANDS)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import require_tool
-from helpers import arm, example, link, model_of
+from helpers import arm, example, link, loaded_boom, model_of
 from robot_toml import to_toml
 from test_planning import ella
 
@@ -66,15 +66,7 @@ def test_work_of_the_efforts_is_the_energy_of_the_arm():
 
 def test_the_efforts_of_a_plan_s_references_are_its_torques():
     """The closer the more points a plan has, and then they leave the arm as still."""
-    rod = link(
-        "rod",
-        axes="z",
-        section={"rhoA": 0.6, "EIy": 60.0, "EIz": 60.0},
-        modes={"bending_y": 1},
-        joint={"armature": [0.3]},
-        bodies=[{"at": "tip", "mass": 1.0}],
-    )
-    model = model_of(arm(rod, gravity=[0.0, 0.0, 0.0]))
+    model = model_of(loaded_boom({"rhoA": 0.6}, modes=1))
     off = []
     for intervals in (12, 24, 48):
         plan = screwgen.plan(model, [0.0], [1.0], 0.9, intervals=intervals)

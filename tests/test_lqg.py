@@ -6,7 +6,7 @@ import subprocess
 import numpy as np
 import pytest
 from conftest import require_tool
-from helpers import arm, example, link, model_of
+from helpers import arm, example, loaded_boom, model_of
 from robot_toml import to_toml
 from test_planning import ella
 
@@ -24,25 +24,12 @@ OK, OUTSIDE, BAD_ARGUMENT, NONFINITE, NOT_STARTED, CLOCK_JUMPED = range(6)
 LOAD = "rod.bodies[0].mass"
 GRID = {"rod.joint[0]": [-0.6, 0.0, 0.6], LOAD: [0.7, 1.0, 1.4]}
 LIMIT = 30.0
-
-
-def boom():
-    """A flexible boom with a load under gravity, that a drive with a limit turns about a level axis."""
-    rod = link(
-        "rod",
-        axes=["z"],
-        length=1.0,
-        section={"rhoA": 0.5, "EIy": 60.0, "EIz": 60.0},
-        modes={"bending_y": 2},
-        bodies=[{"at": "tip", "mass": 1.0}],
-        joint={"armature": [0.3]},
-    )
-    return {**arm(rod), "name": "boom", "gravity": [0.0, -9.81, 0.0]}
+BOOM = loaded_boom(gravity=-9.81)
 
 
 @pytest.fixture(scope="module")
 def model():
-    return model_of(boom())
+    return model_of(BOOM)
 
 
 @pytest.fixture(scope="module")
@@ -192,7 +179,7 @@ def test_wild_inputs_have_a_status_and_no_effort_beyond_its_limit(tmp_path, law)
 
 def test_a_law_is_the_same_from_its_file_and_plays_in_a_run(tmp_path, model, law, capsys):
     robot, file = tmp_path / "boom.toml", tmp_path / "law.npz"
-    robot.write_text(to_toml(boom()))
+    robot.write_text(to_toml(BOOM))
     with open(file, "wb") as stream:
         write_lqg(law, stream)
     read = screwgen.read_lqg(file)
@@ -209,7 +196,7 @@ def test_a_law_is_the_same_from_its_file_and_plays_in_a_run(tmp_path, model, law
 
 def test_the_command_writes_tables_or_c(tmp_path, capsys):
     robot = tmp_path / "boom.toml"
-    robot.write_text(to_toml(boom()))
+    robot.write_text(to_toml(BOOM))
     asked = ["gains", str(robot), "--lqg", "--grid", "rod.joint[0]=-0.2,0.2", "--at", "0.1"]
     assert main([*asked, "-o", str(tmp_path / "law.npz")]) == 0
     printed = capsys.readouterr().out
@@ -240,7 +227,7 @@ def test_the_command_writes_tables_or_c(tmp_path, capsys):
 )
 def test_the_command_refuses_in_one_line(tmp_path, capsys, given, said):
     robot = tmp_path / "boom.toml"
-    robot.write_text(to_toml(boom()))
+    robot.write_text(to_toml(BOOM))
     assert main(["gains", str(robot), "-o", str(tmp_path / "law.npz"), *given]) == 2
     error = capsys.readouterr().err
     assert said in error and error.count("\n") == 1 and not (tmp_path / "law.npz").exists()

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from helpers import arm, example, link, model_of
+from helpers import arm, example, link, loaded_boom, model_of
 
 import screwgen
 from screwgen import UsageError
@@ -12,18 +12,11 @@ ROTOR, LOAD, EI, LENGTH = 0.4, 1.0, 40.0, 1.0
 LAW = screwgen.PD((60.0,), (12.0,), (0.0,))
 
 
-def one_mode(gravity=False, **joint):
+def one_mode(gravity=False):
     """A light rod in a plane that carries a load: a rotor, a spring and a mass."""
-    rod = link(
-        "rod",
-        axes=["z"],
-        length=LENGTH,
-        section={"rhoA": 1e-6, "EIy": EI, "EIz": EI},
-        modes={"bending_y": 1},
-        bodies=[{"at": "tip", "mass": LOAD}],
-        joint={"armature": [ROTOR], **joint},
-    )
-    return model_of({**arm(rod), "gravity": [0.0, -9.81 if gravity else 0.0, 0.0]})
+    section = {"rhoA": 1e-6, "EIy": EI, "EIz": EI}
+    own = {"length": LENGTH, "joint": {"armature": [ROTOR]}, "bodies": [{"at": "tip", "mass": LOAD}]}
+    return model_of(loaded_boom(section, modes=1, gravity=-9.81 if gravity else 0.0, **own))
 
 
 def bang_bang(way, effort, inertia, frequency):

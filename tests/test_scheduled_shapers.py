@@ -283,6 +283,11 @@ def test_laws_with_more_than_their_gains_are_not_cut_down():
             call()
 
 
+def test_the_header_has_bounds_as_numbers():
+    header = screwgen.shape(rod(), [-1.0], [0.5], degree=0).c(STEP)["arm_shaper.h"]
+    assert "joint[0], from -1.0 to 0.5\n" in header and "_REAL(" not in header
+
+
 def test_c_holds_no_text_of_a_file_but_names():
     made = replace(screwgen.shape(rod(), [-1.0], [1.0], degree=0), vibrates="*/ int injected = 1; /*")
     with pytest.raises(UsageError, match="vibrates: must be one of"):
@@ -337,9 +342,13 @@ def test_what_is_no_shaper_is_one_line(tmp_path):
         ({"payload": ("rod.mas", 1.0, 2.0)}, r"payload: there is no parameter 'rod\.mas'"),
         ({"gains": screwgen.PD((0.5,), (0.1,), (0.0,)), "lower": [1.3], "upper": [1.7]}, "a motion grows"),
         ({"degree": 13}, "degree"),
+        (
+            {"lower": [1.0]},
+            r"lower, upper \(--from, --to\): 1 of rod\.joint\[0\] is above 0\.5; give the lesser one first",
+        ),
     ],
 )
 def test_what_cannot_be_shaped_is_one_line(more, said):
     with pytest.raises(UsageError, match=said) as caught:
-        screwgen.shape(rod(), **({"lower": [-1.0], "upper": [1.0]} | more))
+        screwgen.shape(rod(), **({"lower": [-1.0], "upper": [0.5]} | more))
     assert "\n" not in str(caught.value)

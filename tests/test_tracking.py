@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from helpers import arm, example, link, model_of
+from helpers import arm, example, link, loaded_boom, model_of
 from scipy.integrate import simpson
 from test_planning import ella
 
@@ -32,15 +32,7 @@ def circle(t):
 
 def rod(order=2, modes=2, **more):
     """One link in a plane without gravity."""
-    section = {"rhoA": 0.6, "EIy": 60.0, "EIz": 60.0}
-    given = {"modes": {"bending_y": modes}, "joint": {"armature": [0.3]}, "bodies": [{"at": "tip", "mass": 1.0}]}
-    return model_of(
-        arm(
-            link("rod", axes="z", length=LENGTH, section=section, **(given | more)),
-            order=order,
-            gravity=[0.0, 0.0, 0.0],
-        )
-    )
+    return model_of(loaded_boom({"rhoA": 0.6}, modes, length=LENGTH, **more) | {"order": order, "name": "arm"})
 
 
 def planar(order=2, modes=2):

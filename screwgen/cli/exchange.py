@@ -8,6 +8,8 @@ from typing import Annotated
 
 import typer
 
+from .options import NoNotes, RobotFile
+
 
 def register(app: typer.Typer, epilog: str) -> None:
     """Add the commands to the command line."""
@@ -44,7 +46,7 @@ def import_(
         float | None,
         typer.Option("--total-mass", metavar="KG", help="As --density, of all links of the URDF together."),
     ] = None,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes and no summary.")] = False,
+    quiet: NoNotes = False,
 ) -> None:
     """Write the robot file of a URDF. What is left out or changed is said on stderr and in the file's header."""
     from ..interchange.load import import_urdf
@@ -67,9 +69,9 @@ def import_(
 
 def export(
     context: typer.Context,
-    robot: Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")],
+    robot: RobotFile,
     output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="The URDF, robot.urdf.")],
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes and no summary.")] = False,
+    quiet: NoNotes = False,
 ) -> None:
     """Write a robot as a URDF of rigid links, for viewers and other tools; what it leaves out is said on stderr."""
     from ..interchange.urdf_write import export_urdf

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from contextlib import nullcontext
-from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")]
+from .destinations import check_destination, write_c
+from .options import Quiet, RobotFile
+
 Postures = Annotated[
     list[str] | None,
     typer.Option(
@@ -32,8 +33,6 @@ Bounds = Annotated[
         "after it; noise_q, noise_v of sensors and the largest noise_efforts. May be given again.",
     ),
 ]
-
-
 Grids = Annotated[
     list[str] | None,
     typer.Option(
@@ -65,7 +64,7 @@ def gains(
         str | None, typer.Option(metavar="c", help="Write the law of --lqg as C, into the folder after -o.")
     ] = None,
     step: Annotated[float, typer.Option(metavar="S", help="Between the samples of the clock.")] = 1e-3,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
+    quiet: Quiet = False,
 ) -> None:
     """Write joint gains under which what is slowest decays fastest, and print the figures of the sampled loop."""
     from ..errors import UsageError
@@ -102,7 +101,6 @@ def _write_lqg(
 ) -> None:
     """Find a law with its filter and write it; `asked`: postures, models, bounds and grid of the command line."""
     from ..errors import UsageError
-    from ..folder import MANIFEST, write_folder
     from ..model import derive
     from ..planning.lqg_files import write_lqg
     from ..planning.lqg_make import lqg as found_lqg
@@ -118,7 +116,7 @@ def _write_lqg(
         )
     if not grid:
         raise UsageError("--grid: is missing; give names with values, as 'arm.joint[0]=-1,0,1'")
-    _check_destination(output, target)
+    check_destination(output, target, (".npz", ".toml") if target else (".npz",), "a law")
     arm = derive(load_robot(robot, quiet))
     postures = [numbers("q", text, arm.n_joints, "joint coordinates", "at") for text in at]
     over = dict(map(_values, grid))
@@ -127,29 +125,8 @@ def _write_lqg(
             law = found_lqg(arm, over, postures=postures, models=models, step=step, efforts=bounds.get("efforts"))
         if stream is not None:
             write_lqg(law, stream)
-    files = [output]
-    if stream is None:
-        texts = {name: text.encode() for name, text in law.c().items()}
-        write_folder(output, texts, tuple(texts))
-        files = [str(Path(output) / name) for name in (MANIFEST, *sorted(texts))]
+    files = [output] if target is None else write_c(output, law.c())
     say("\n".join([*files, *law.lines]), quiet)
-
-
-def _check_destination(output: str, target: str | None) -> None:
-    """Refuse, before any work is done, a file or a folder that a law cannot be written to."""
-    from ..errors import UsageError
-    from ..folder import check_folder
-    from ..simulation.runs import check_output, suffix
-    from ..spec.load import one_line
-
-    if target is None:
-        check_output(output, (".npz",))
-    elif target != "c":
-        raise UsageError(f"--target: there is no '{one_line(target)}'; a law is written as c, or without --target")
-    elif not output or suffix(output) in (".npz", ".toml"):
-        raise UsageError(f"{one_line(output) or 'the output'}: is no name of a folder, which --target c writes")
-    else:
-        check_folder(Path(output))
 
 
 def _values(text: str) -> tuple[str, list[float]]:

@@ -8,6 +8,8 @@ from typing import Annotated, Any
 
 import typer
 
+from .options import Quiet, RobotFile
+
 
 def register(app: typer.Typer, epilog: str) -> None:
     """Add the commands to the command line."""
@@ -53,7 +55,7 @@ def identify(
     ] = "modal_midpoint",
     robust: Annotated[bool, typer.Option("--robust", help="Count outliers by their size, not by its square.")] = False,
     iterations: Annotated[int, typer.Option(metavar="N", min=1, help="Iterations at most.")] = 40,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
+    quiet: Quiet = False,
 ) -> None:
     """Identify numbers of a robot, its sensors and inputs from logs, and write its file anew with them: comments stay,
     intervals stand behind the numbers. What is odd of logs and fit is said on stderr. Ctrl-C keeps the best so far.
@@ -100,7 +102,7 @@ def identify(
 
 def excite(
     context: typer.Context,
-    robot: Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")],
+    robot: RobotFile,
     output: Annotated[
         str, typer.Option("-o", "--output", metavar="FILE", help="motion.csv, the inputs, or motion.npz, a plan.")
     ],
@@ -109,7 +111,7 @@ def excite(
     ],
     generations: Annotated[int, typer.Option(metavar="N", min=0, help="Rounds of the search at most.")] = 40,
     seed: Annotated[int, typer.Option(metavar="N", min=0, help="Of the random motions and of the search.")] = 0,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
+    quiet: Quiet = False,
 ) -> None:
     """Find a motion of the joints within limits whose log makes best known what is known worst, run it on the model,
     and print the intervals that a fit is to have, beside those of a random motion of equal limits and time. Ctrl-C ends

@@ -18,22 +18,15 @@ from typer.core import TyperGroup
 from ..errors import ScrewgenError, UsageError
 from ..plugins import declared, plugins
 from . import exchange, gaining, identifying, motions, running, shaping
+from .options import Form, Json, Quiet, RobotFile, StateFile, ViewFile
 from .process import guarded, prepare
-from .viewing import ViewFile, view
+from .viewing import view
 
 EPILOG = (
     "Exit status: 0 done; 2 a request that cannot be met (one line says why, nothing is written); "
     "1 a computation that failed, such as a singular posture; 130 interrupted."
 )
 app = typer.Typer(name="screwgen", rich_markup_mode=None, pretty_exceptions_enable=False, epilog=EPILOG)
-
-RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")]
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")]
-StateFile = Annotated[
-    str | None, typer.Option("--state", metavar="FILE", help="JSON of q, v, tau, w_ext; zero where left out.")
-]
-Form = Annotated[str, typer.Option(metavar="NAME", help="joint or dae.")]
-Json = Annotated[bool, typer.Option("--json", help="Print the numbers as JSON.")]
 
 
 def _version(asked: bool) -> None:

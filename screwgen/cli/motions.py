@@ -4,20 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from .destinations import C, check_destination, write_c
+from .options import Quiet, RobotFile
+
 if TYPE_CHECKING:
     from ..planning.plan import MotionPlan
 
-RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")]
-C = "c"
-"""The target of a plan beside files."""
 FORMATS = (".npz", ".csv")
 """Of files of plans."""
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")]
 
 
 def register(app: typer.Typer, epilog: str) -> None:
@@ -46,7 +44,7 @@ def plan(
     from .output import load_robot, say, stoppable
 
     quiet = quiet or context.obj
-    check_destination(output, target)
+    check_destination(output, target, FORMATS, "a plan")
     model = derive(load_robot(robot, quiet))
     asked, law = read_task(task)
     ways: dict[str, Any] = {"intervals": asked.intervals, "models": asked.models, "through": asked.through}
@@ -62,36 +60,14 @@ def plan(
     say("\n".join([*files, figures + bare]), quiet)
 
 
-def check_destination(
-    output: str, target: str | None, formats: tuple[str, ...] = FORMATS, what: str = "a plan"
-) -> None:
-    """Refuse, before any work is done, a file or a folder that a plan, or what it is, cannot be written to."""
-    from ..errors import UsageError
-    from ..folder import check_folder
-    from ..simulation.runs import check_output, suffix
-    from ..spec.load import one_line
-
-    if target is None:
-        check_output(output, formats)
-    elif target != C:
-        raise UsageError(f"--target: there is no '{one_line(target)}'; {what} is written as {C}, or without --target")
-    elif not output or suffix(output) in formats:
-        raise UsageError(f"{one_line(output) or 'the output'}: is no name of a folder, which --target {C} writes")
-    else:
-        check_folder(Path(output))
-
-
 @contextmanager
 def destination(output: str, target: str | None, step: float) -> Iterator[Callable[[MotionPlan], list[str]]]:
     """What writes a plan and names the files; a file is opened before the plan is sought."""
-    from ..folder import MANIFEST, write_folder
     from ..planning.plan_files import write_csv, write_npz
     from ..simulation.runs import outputs, suffix
 
     def folder(plan: MotionPlan) -> list[str]:
-        files = {name: text.encode() for name, text in plan.c().items()}
-        write_folder(output, files, tuple(files))
-        return [str(Path(output) / name) for name in (MANIFEST, *sorted(files))]
+        return write_c(output, plan.c())
 
     def file(plan: MotionPlan) -> list[str]:
         if suffix(output) == ".csv":

@@ -6,14 +6,7 @@ from typing import Annotated
 
 import typer
 
-from .viewing import ViewFile
-
-RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")]
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")]
-StateFile = Annotated[
-    str | None, typer.Option("--state", metavar="FILE", help="JSON of q, v, tau, w_ext; zero where left out.")
-]
-Form = Annotated[str, typer.Option(metavar="NAME", help="joint or dae.")]
+from .options import Form, Quiet, RobotFile, StateFile, ViewFile
 
 
 def register(app: typer.Typer, epilog: str) -> None:

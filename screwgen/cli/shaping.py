@@ -9,7 +9,8 @@ from typing import Annotated, Any
 
 import typer
 
-from .motions import Quiet, RobotFile, check_destination
+from .destinations import check_destination, write_c
+from .options import Quiet, RobotFile
 
 
 def register(app: typer.Typer, epilog: str) -> None:
@@ -42,7 +43,6 @@ def shape(
     quiet: Quiet = False,
 ) -> None:
     """Find what vibrates over postures and payloads, and write a shaper that follows it."""
-    from ..folder import MANIFEST, write_folder
     from ..model import derive
     from ..planning.shape import shape as made
     from ..planning.shaper_files import shaper_text
@@ -68,9 +68,7 @@ def shape(
             stream.write(shaper_text(found).encode())
         files = [output]
     else:
-        texts = {name: text.encode() for name, text in found.c(step).items()}
-        write_folder(output, texts, tuple(texts))
-        files = [str(Path(output) / name) for name in (MANIFEST, *sorted(texts))]
+        files = write_c(output, found.c(step))
     say("\n".join([*files, found.line]), quiet)
 
 

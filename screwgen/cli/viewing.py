@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from .options import Quiet
+
 if TYPE_CHECKING:
     from ..viewer.meshes import Looks
-
-ViewFile = Annotated[str | None, typer.Option(metavar="FILE", help="Also write a page that plays it, as .html.")]
 
 
 def view(
@@ -34,7 +34,7 @@ def view(
     size: Annotated[str | None, typer.Option(metavar="WxH", help="Pixels of the film; 800x600.")] = None,
     speed: Annotated[float | None, typer.Option(help="Seconds of the run in a second of the film; 1.")] = None,
     magnify: Annotated[float | None, typer.Option(help="Factor of the bending in the film; 1.")] = None,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
+    quiet: Quiet = False,
 ) -> None:
     """Write one HTML file that plays runs, the arm as it bends, energy, tip and torques; or a film of them."""
     from ..errors import UsageError

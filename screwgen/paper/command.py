@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..cli.main import EPILOG, Quiet
+from ..cli.main import EPILOG
+from ..cli.options import Quiet
 from ..errors import UsageError
 from ..progress import busy
 

@@ -24,6 +24,10 @@ THRIFT = 0.03
 STEEP, WANTED, SPARE = 1e4, 1e3, 2.0
 CLOSE = 1e-2
 """The share of a decay or damping wanted by which it may be missed."""
+BEYOND = 1 + CLOSE / 4
+"""The factor on a decay wanted at which the search aims, so that it ends above."""
+DIGITS = (3, 4, 5, 6)
+"""Of gains as a file states them: the fewest with which nothing wanted is missed."""
 ROUNDS, CROWD, SEED = 60, 8, 1
 
 
@@ -76,7 +80,9 @@ class GainSearch:
             if loops:
                 margin = min(margin, LoopFigures.of([y.poles(law.times(factor)) for y in loops], self.band).margin)
         growth = STEEP * max(0.0, -margin - GROWTH) + WANTED * max(0.0, self.bounds.damping - damping)
-        return growth + THRIFT * float(np.abs(x).sum()) - min(decay, self.bounds.decay or np.inf)
+        wanted = self.bounds.decay * BEYOND
+        slowness = WANTED * max(0.0, wanted - decay) if wanted else -decay
+        return growth + THRIFT * float(np.abs(x).sum()) + slowness
 
     def found(self) -> LoopGains:
         """The best gains; raises UsageError where they are unstable."""
@@ -88,11 +94,17 @@ class GainSearch:
         rough = differential_evolution(
             self.cost, limits, seed=SEED, popsize=CROWD, maxiter=ROUNDS, polish=False, init="sobol"
         )
-        law = self.gains(minimize(self.cost, rough.x, method="Nelder-Mead", options={"maxfev": 500}).x).rounded()
+        law = self.gains(minimize(self.cost, rough.x, method="Nelder-Mead", options={"maxfev": 500}).x)
+        law = next(filter(self.does_what_is_wanted, map(law.rounded, DIGITS)), law.rounded(DIGITS[0]))
         figures = self.figures(law)
         if figures.margin < -2 * GROWTH or figures.decay <= 0:
             raise UsageError("gains: none were found that are stable; take a shorter step, or wider bounds")
         return law
+
+    def does_what_is_wanted(self, law: LoopGains) -> bool:
+        """Whether decay and damping are not below those wanted, where rounding may end."""
+        figures = self.figures(law)
+        return figures.decay >= self.bounds.decay and figures.damping >= self.bounds.damping
 
     def check(self, figures: LoopFigures) -> None:
         """Refuse a law that does not do what is wanted."""

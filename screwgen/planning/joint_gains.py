@@ -92,13 +92,16 @@ class JointGains:
         for q, loops in zip(self.postures, self.margins, strict=True):
             at = ", ".join(f"{x:g}" for x in q)
             driven = [j for j in range(len(loops)) if self.kp[j] or self.kd[j]]
-            out += [f"at {at}: joint {j}: {margin_words(loops[j])}" for j in driven]
+            out += [f"at {at}: joint {j}: {margin_words(loops[j], BAND / self.band)}" for j in driven]
         return out
 
 
-def margin_words(x: LoopMargin) -> str:
-    """The margins of a loop in words."""
+def margin_words(x: LoopMargin, step: float) -> str:
+    """The margins of a loop in words, with a warning where it does not bear to be late by a sample of `step` s."""
     delay = "any delay" if np.isinf(x.delay) else f"delay {x.delay * 1e3:.3g} ms"
+    delay += f", less than a sample of {step * 1e3:.3g} ms: torques that are late by one make it grow" * (
+        x.delay < step
+    )
     return f"gain {x.lower:.2g} to {x.upper:.3g}, disk {x.disk:.2g} (phase {x.phase:.0f} degrees), {delay}"
 
 

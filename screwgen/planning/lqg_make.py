@@ -180,7 +180,7 @@ class LqgSearch:
         if self.arms.richer is not None:
             out.append("of these arms one has the next two modes per plane")
         margins = [loop_margins(closed_by(loops[0], law.at(x)), law.step) for x, loops in points["vertices"]]
-        return out + [f"joint {j}, all vertices: {margin_words(x)}" for j, x in enumerate(worst(margins))]
+        return out + [f"joint {j}, all vertices: {margin_words(x, law.step)}" for j, x in enumerate(worst(margins))]
 
 
 def _stable(figures: LoopFigures) -> bool:

@@ -31,9 +31,9 @@ class LoopGains(NamedTuple):
         """All gains times a factor."""
         return LoopGains(factor * self.kp, factor * self.kd, None if self.ki is None else factor * self.ki)
 
-    def rounded(self) -> LoopGains:
-        """Gains to three digits, as a file states them."""
-        short = lambda g: np.array([float(f"{x:.3g}") for x in g])  # noqa: E731
+    def rounded(self, digits: int) -> LoopGains:
+        """Gains in so many digits, as a file states them."""
+        short = lambda g: np.array([float(f"{x:.{digits}g}") for x in g])  # noqa: E731
         return LoopGains(short(self.kp), short(self.kd), None if self.ki is None else short(self.ki))
 
 

@@ -64,8 +64,9 @@ def shape(
     kind, modes = choice(kind, KINDS, "kind: there is no"), whole(modes, "modes", 1, MOST_MODES)
     degree = whole(degree, "degree", 0, MOST_DEGREE)
     low, high = array(lower, "lower:", (m,)), array(upper, "upper:", (m,))
-    if not (low <= high).all():
-        raise UsageError("lower, upper: the lower bounds must not be above the upper ones")
+    if (above := np.flatnonzero(low > high)).size:
+        said = f"{low[above[0]]:g} of {names[above[0]]} is above {high[above[0]]:g}"
+        raise UsageError(f"lower, upper (--from, --to): {said}; give the lesser one first")
     loop = _loop(gains, free, m)
     load = None if payload is None else _payload(model, payload)
     arm = Arm(model, model.chain.parameters.vector(parameters), loop, low, high, load)

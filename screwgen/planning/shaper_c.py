@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from ..backends.c.columns import rendered
 from ..errors import UsageError
 from ..spec.names import robot_name
@@ -46,6 +48,7 @@ def shaper_files(made: ScheduledShaper, step: float) -> dict[str, str]:
         "tolerated": repr(TOLERATED),
         "terms": len(made.powers),
         "powers": made.powers.tolist(),
+        "bounds": np.transpose([made.lower, made.upper]).tolist(),
         "lower": numbers(made.lower),
         "upper": numbers(made.upper),
         "modes": [

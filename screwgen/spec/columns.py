@@ -7,11 +7,10 @@ from collections.abc import Mapping
 from typing import Annotated, Any, Self
 
 import numpy as np
-from pydantic import Field, PlainValidator, ValidationError, model_validator
+from pydantic import Field, PlainValidator, model_validator
 
 from ..errors import UsageError
-from .load import decode, one_line, parse, read
-from .messages import explain
+from .load import load_table
 from .part import Part
 from .values import boolean, non_negative, number, positive, refuse, shown
 
@@ -139,9 +138,4 @@ class Columns(Part):
 
 def load_columns(path: str | os.PathLike[str]) -> Columns:
     """The table in the TOML file at `path`; raises UsageError, `<file>: <key>: <fault>; <remedy>`."""
-    file = one_line(os.fsdecode(path))
-    data = parse(decode(read(path, file), file), file, UsageError, "a table of columns needs four levels")
-    try:
-        return Columns.model_validate(data)
-    except ValidationError as error:
-        raise UsageError(f"{file}: {explain(error, Columns, data)}") from None
+    return load_table(Columns, path, UsageError, "a table of columns needs four levels")

@@ -6,11 +6,10 @@ import os
 from pathlib import Path
 from typing import Annotated, Any
 
-from pydantic import Field, PlainValidator, ValidationError
+from pydantic import Field, PlainValidator
 
 from ..errors import UsageError
-from .load import decode, one_line, parse, read
-from .messages import explain
+from .load import load_table
 from .plan import Joints, PlanLimits
 from .values import array, positive, refuse, shown
 
@@ -45,11 +44,6 @@ class ExcitationFile(PlanLimits):
 
 def read_excitation(path: str | os.PathLike[str]) -> ExcitationFile:
     """What a file asks for, files that it names relative to it; raises UsageError, one line."""
-    file = one_line(os.fsdecode(path))
-    data = parse(decode(read(path, file), file), file, UsageError, "limits of a motion need no such depth")
-    try:
-        found = ExcitationFile.model_validate(data)
-    except ValidationError as error:
-        raise UsageError(f"{file}: {explain(error, ExcitationFile, data)}") from None
+    found = load_table(ExcitationFile, path, UsageError, "limits of a motion need no such depth")
     beside = {key: str(Path(path).parent / name) for key in ("sensors", "gains") if (name := getattr(found, key))}
     return found.model_copy(update=beside)

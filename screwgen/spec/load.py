@@ -5,7 +5,7 @@ import os
 import re
 import tomllib
 from collections.abc import Callable
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
@@ -15,6 +15,7 @@ from ..joints.ball import BALL
 from .axes import LETTERS, AxesOfKind
 from .axis_elements import known_to_files
 from .messages import explain, first_error, key_path, link_label, reason
+from .part import Part
 from .reduced import FOLDER, Reduced
 from .robot import TABLES, Robot
 from .values import Path
@@ -22,6 +23,8 @@ from .values import Path
 SCREWS = ("slide", "screw")
 """Keys whose value is an axis."""
 MAX_BYTES = 4 * 2**20
+FIVE_LEVELS = "a robot file needs five levels"
+Table = TypeVar("Table", bound=Part)
 DEEP_KEY = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){32}""")  # tomllib takes quadratic memory
 
 
@@ -57,6 +60,18 @@ def validated(data: dict[str, Any], folder: str, place: Callable[[Path], tuple[s
         raise RobotFileError(f"{file}: {key_path(there)}{link_label(at, data)}: {reason(record, Robot)}") from None
 
 
+def load_table(
+    kind: type[Table], path: str | os.PathLike[str], fault: type[ScrewgenError], depth: str = FIVE_LEVELS
+) -> Table:
+    """What the TOML file at `path` states, as a `kind`; raises as :func:`load`, `fault` for what the file says."""
+    file = one_line(os.fsdecode(path))
+    data = parse(decode(read(path, file), file), file, fault, depth)
+    try:
+        return kind.model_validate(data)
+    except ValidationError as error:
+        raise fault(f"{file}: {explain(error, kind, data)}") from None
+
+
 def read(path: str | os.PathLike[str], file: str) -> bytes:
     """The bytes of the file at `path`."""
     try:
@@ -88,7 +103,7 @@ def decode(content: bytes, file: str) -> str:
 
 
 def parse(
-    text: str, file: str, fault: type[ScrewgenError] = RobotFileError, depth: str = "a robot file needs five levels"
+    text: str, file: str, fault: type[ScrewgenError] = RobotFileError, depth: str = FIVE_LEVELS
 ) -> dict[str, Any]:
     """The tables and values of a TOML text; raises `fault`, where tables nest too deeply with the remedy `depth`."""
     try:

@@ -6,11 +6,10 @@ import os
 from collections.abc import Callable
 from typing import Annotated, Any, Self
 
-from pydantic import Field, PlainValidator, ValidationError, model_validator
+from pydantic import Field, PlainValidator, model_validator
 
 from ..errors import RobotFileError
-from .load import decode, one_line, parse, read
-from .messages import explain
+from .load import load_table
 from .part import Part
 from .values import array, boolean, choice, non_negative, number, positive, refuse, shown
 
@@ -178,9 +177,4 @@ def load_mpc(path: str | os.PathLike[str]) -> Mpc:
 
     Raises RobotFileError, `<file>: <key path>: <what is wrong>; <what is allowed>`.
     """
-    file = one_line(os.fsdecode(path))
-    data = parse(decode(read(path, file), file), file)
-    try:
-        return Mpc.model_validate(data)
-    except ValidationError as error:
-        raise RobotFileError(f"{file}: {explain(error, Mpc, data)}") from None
+    return load_table(Mpc, path, RobotFileError)

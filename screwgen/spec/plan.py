@@ -6,11 +6,10 @@ import os
 from pathlib import Path
 from typing import Annotated, Any
 
-from pydantic import Field, PlainValidator, ValidationError
+from pydantic import Field, PlainValidator
 
 from ..errors import RobotFileError
-from .load import decode, one_line, parse, read
-from .messages import explain
+from .load import load_table, one_line
 from .mpc import whole
 from .part import Part
 from .values import array, non_negative, number, positive, refuse, shown
@@ -112,12 +111,7 @@ class PlanFile(Part):
 
 def read_task(path: str | os.PathLike[str]) -> tuple[PlanFile, str | None]:
     """What a file asks for, and where its law is, relative to the file; raises RobotFileError, one line."""
-    file = one_line(os.fsdecode(path))
-    data = parse(decode(read(path, file), file), file)
-    try:
-        found = PlanFile.model_validate(data)
-    except ValidationError as error:
-        raise RobotFileError(f"{file}: {explain(error, PlanFile, data)}") from None
+    found = load_table(PlanFile, path, RobotFileError)
     if (found.goal is None) == (found.goal_tip is None):
-        raise RobotFileError(f"{file}: goal, goal_tip: state one of them")
+        raise RobotFileError(f"{one_line(os.fsdecode(path))}: goal, goal_tip: state one of them")
     return found, None if found.gains is None else str(Path(path).parent / found.gains)

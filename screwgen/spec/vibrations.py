@@ -5,11 +5,10 @@ from __future__ import annotations
 import os
 from typing import Annotated, Any, Self
 
-from pydantic import Field, PlainValidator, ValidationError, model_validator
+from pydantic import Field, PlainValidator, model_validator
 
 from ..errors import UsageError
-from .load import decode, one_line, parse, read
-from .messages import explain
+from .load import load_table
 from .part import Part
 from .values import array, boolean, choice, number, positive, refuse, shown
 
@@ -73,9 +72,4 @@ class Vibrations(Part):
 
 def load_vibrations(path: str | os.PathLike[str]) -> Vibrations:
     """The tests in the TOML file at `path`; raises UsageError, `<file>: <key>: <fault>; <remedy>`."""
-    file = one_line(os.fsdecode(path))
-    data = parse(decode(read(path, file), file), file, UsageError, "a table of vibrations needs four levels")
-    try:
-        return Vibrations.model_validate(data)
-    except ValidationError as error:
-        raise UsageError(f"{file}: {explain(error, Vibrations, data)}") from None
+    return load_table(Vibrations, path, UsageError, "a table of vibrations needs four levels")

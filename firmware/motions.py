@@ -1,4 +1,5 @@
-"""What a plan and a feedforward cost on a Cortex-M7: the generated C in double under QEMU, at every millisecond.
+"""What motions cost on a Cortex-M7: the generated C of a plan, a feedforward, a shaper and a law with its filter, in
+double under QEMU, at every millisecond.
 
 python firmware/motions.py [--record]
 
@@ -28,15 +29,21 @@ VARIANT = Variant(TARGETS["m7"], "double", "fused", "runtime")
 PROGRAM = HERE / "target" / "motions.c"
 GOAL, TIME, STEP, SHOWN = (-0.5, 0.7, 0.45), 1.2, 1e-3, 20
 """rad, s: of the plan; s between samples, and how many of these lie between two that the program prints."""
-FLASH, RAM, STACK, PLAN, FEEDFORWARD = 131_072, 32_768, 8_192, 5_000, 100_000
-"""The most that they may take: bytes, and instructions of a sample."""
+SWEEP, GRID, LOAD = (1.2, 1.2, 1.2), {"forearm.joint[0]": (-1.2, 1.2), "forearm.bodies[0].mass": (0.7, 1.3)}, 1.1
+"""rad: how far joints turn, either way, where the shaper is used; the law's grid, and the load that it is told."""
+FLASH, RAM, STACK = 131_072, 32_768, 8_192
+"""The most bytes that they may take."""
+INSTRUCTIONS = {"plan": 5_000, "feedforward": 100_000, "shaper": 20_000, "law": 50_000}
+"""The most of a sample."""
+CALLS = {"plan": "plan_sample", "feedforward": "feedforward", "shaper": "shaper_sample", "law": "lqg_sample"}
+"""What is called at a sample, without the robot's name."""
 APART = 1e-12
 """Between numbers on the target and in Python, over the largest."""
-TITLE = "Plans and feedforward"
+TITLE = "Plans, feedforward, shapers and laws"
 
 
 class MotionSources(Sources):
-    """A plan's C and a feedforward's in one folder."""
+    """The C of all parts in one folder."""
 
     @property
     def defines(self) -> list[str]:
@@ -45,37 +52,41 @@ class MotionSources(Sources):
 
 @dataclass(frozen=True)
 class Result:
-    """Of plan and feedforward on the target: bytes, executed instructions, relative differences."""
+    """Of all parts on the target, by their names: bytes, executed instructions of samples; relative differences."""
 
-    flash_plan: int
-    """Of the image with the plan alone."""
-    flash: int
-    """Of the image with both."""
+    flash: dict[str, int]
+    """Of the image with the plan and this part; that of the plan has nothing else."""
     sizes: dict[str, int]
+    """Of the structs of the caller."""
     stacks: dict[str, int]
     counts: dict[str, list[int]]
     apart: float
 
-    @property
-    def ram(self) -> int:
-        """The structs of the caller."""
-        return sum(self.sizes.values())
-
 
 def generate() -> tuple[Sources, np.ndarray]:
-    """The C of both, and what Python has for the samples that the program prints."""
+    """The C of all parts, and what Python has for the samples that the program prints."""
     model = example()
     plan = screwgen.plan(model, [0.0] * 3, GOAL, TIME)
+    shaper = screwgen.shape(model, np.negative(SWEEP), SWEEP)
+    law = screwgen.lqg(model, GRID, step=STEP)
     folder = WORK / "source"
     folder.mkdir(parents=True, exist_ok=True)
     files = feedforward_files(model, parameters=VARIANT.parameters, layout=VARIANT.layout, methods=())
-    for name, data in (files | {name: text.encode() for name, text in plan.c().items()}).items():
+    for name, text in (plan.c() | shaper.c(STEP) | law.c()).items():
+        files[name] = text.encode()
+    for name, data in files.items():
         (folder / name).write_bytes(data)
     t = STEP * np.arange(round(TIME / STEP) + 1)
     q, v = plan.reference(t)
-    rows = np.hstack([q, v, plan.mean_torque(t, t + STEP)])[SHOWN::SHOWN]
-    efforts = screwgen.feedforward(model, q, v, STEP).tau[SHOWN - 1 :: SHOWN]
-    return MotionSources(model.robot.name, folder), np.hstack([rows, efforts])
+    ring, memory = shaper.sampled(STEP), law.start(q[0], (LOAD,))
+    ring.start(q[0])
+    shaped = np.array([ring(x, x) for x in q[1:]])
+    efforts = np.array(
+        [law.sample(memory, x, r, np.zeros(3), (LOAD,), np.zeros(3)) for x, r in zip(q[1:], shaped, strict=True)]
+    )
+    ahead = screwgen.feedforward(model, q, v, STEP).tau
+    planned = np.hstack([q, v, plan.mean_torque(t, t + STEP)])[1:]
+    return MotionSources(model.robot.name, folder), np.hstack([planned, ahead, shaped, efforts])[SHOWN - 1 :: SHOWN]
 
 
 def measure() -> Result:
@@ -83,51 +94,54 @@ def measure() -> Result:
     require(VARIANT.target)
     sources, wanted = generate()
     build = Build(VARIANT, sources, WORK / VARIANT.name)
-    alone, whole = (
-        size_of(build, build.link(name, PROGRAM, False, *flags))
-        for name, flags in (("plan", ["-DPLAN_ALONE"]), ("both", []))
-    )
+    flash = {}
+    for name in INSTRUCTIONS:
+        more = [] if name == "plan" else [f"-D{name.upper()}"]
+        flash[name] = size_of(build, build.link(name, PROGRAM, False, *more)).flash
     program = build.link("motions", PROGRAM, True)
     found = Counter(WORK / "counter").run(build, program)
-    stacks = covered_stacks(build, program, found.stacks)
+    deepest = covered_stacks(build, program, found.stacks)
+    stacks = {name: deepest[call] for name, call in CALLS.items()}
     off = np.abs(np.array(found.samples) - wanted).max(axis=0) / np.abs(wanted).max(axis=0)
-    return Result(alone.flash, whole.flash, found.sizes, stacks, found.counts, float(off.max()))
+    return Result(flash, found.sizes, stacks, found.counts, float(off.max()))
 
 
 def rows(r: Result) -> list[tuple[str, str]]:
     """What is measured, and its figure."""
-    parts = (("plan", "plan"), ("feedforward", "feedforward"))
+    kinds = {"RAM: structs of the": r.sizes, "stack: sample of the": r.stacks}
     return [
-        ("flash: image with the plan", f"{r.flash_plan:,} B"),
-        ("flash: image with plan and feedforward", f"{r.flash:,} B"),
-        ("RAM: structs of the plan", f"{r.sizes['plan']:,} B"),
-        ("RAM: structs of the feedforward", f"{r.ram - r.sizes['plan']:,} B"),
-        *((f"stack: {name}", f"{r.stacks[call]:,} B") for name, call in (("plan", "plan_sample"), parts[1])),
-        *((f"instructions: sample of the {name}", f"{max(r.counts[call]):,} at most") for name, call in parts),
+        ("flash: image with the plan", f"{r.flash['plan']:,} B"),
+        *((f"flash: image with plan and {x}", f"{n:,} B") for x, n in r.flash.items() if x != "plan"),
+        *((f"{kind} {name}", f"{found[name]:,} B") for kind, found in kinds.items() for name in INSTRUCTIONS),
+        *((f"instructions: sample of the {name}", f"{max(r.counts[name]):,} at most") for name in INSTRUCTIONS),
         ("beside Python, over the largest", f"{r.apart:.0e}"),
     ]
 
 
-HEAD = "Cortex-M7, double, ELLA with 22 states, a plan of 24 intervals in 1.2 s, a sample every millisecond"
+HEAD = (
+    "Cortex-M7, double, ELLA with 22 states, a plan of 24 intervals in 1.2 s, a shaper of two modes over three joints, "
+    "a linear-quadratic law of 4 vertices with its filter, a sample every millisecond"
+)
 
 
 def text(r: Result) -> str:
-    return "\n".join([HEAD, *(f"{name:40} {value}" for name, value in rows(r))])
+    return "\n".join([HEAD, *(f"{name:45} {value}" for name, value in rows(r))])
 
 
 def columns(r: Result) -> dict[str, object]:
     """The row of the CSV."""
-    row: dict[str, object] = {"flash_plan": r.flash_plan, "flash": r.flash, "ram": r.ram}
-    row |= {f"stack_{name}": x for name, x in r.stacks.items()}
+    row: dict[str, object] = {}
+    for what, found in (("flash", r.flash), ("ram", r.sizes), ("stack", r.stacks)):
+        row |= {f"{what}_{name}": x for name, x in found.items()}
     return row | {name: max(numbers) for name, numbers in r.counts.items()} | {"apart": r.apart}
 
 
 def failures(r: Result) -> list[str]:
     """What is beyond its limit."""
     out = [] if r.apart < APART else [f"numbers on the target and in Python are {r.apart:.1e} apart"]
-    taken = {"flash": (r.flash, FLASH), "RAM": (r.ram, RAM), "stack": (max(r.stacks.values()), STACK)}
-    taken |= {name: (max(r.counts[name]), most) for name, most in (("plan", PLAN), ("feedforward", FEEDFORWARD))}
-    return out + beyond(taken)
+    taken = {"flash": (max(r.flash.values()), FLASH), "RAM": (sum(r.sizes.values()), RAM)}
+    taken |= {"stack": (max(r.stacks.values()), STACK)}
+    return out + beyond(taken | {name: (max(r.counts[name]), most) for name, most in INSTRUCTIONS.items()})
 
 
 def main(arguments: list[str]) -> int:

@@ -1,21 +1,19 @@
-/* motions.c: a plan and a feedforward of the example arm on a board. At every millisecond the plan is asked for references and
- * torques, and the feedforward for the efforts of these references. Prints what measure.c prints of counts and stacks; samples
- * have the plan's coordinates, rates and torques, then the efforts of the step before.
+/* motions.c: what moves the example arm on a board, at every millisecond: a plan is asked for references and torques, the
+ * feedforward for the efforts of these references, a scheduled shaper shapes them, a linear-quadratic law with its filter
+ * follows what is shaped. Prints what measure.c prints of counts and stacks; samples have the plan's coordinates, rates and
+ * torques, the efforts of the step before, shaped coordinates, efforts of the law.
  *
- * Without -DCONSOLE it is the image of what a clock calls: with -DPLAN_ALONE of the plan, else of both.
+ * Without -DCONSOLE it is the image of what a clock calls: the plan, with what -DFEEDFORWARD, -DSHAPER or -DLAW adds.
  */
 #include <stdint.h>
 #include <string.h>
 
 #include "ella_plan.h"
-#ifndef PLAN_ALONE
-#include "ella_feedforward_efforts.h"
 
-static ella_feedforward_parameters parameters;
-static ella_feedforward_constants constants;
-static ella_feedforward_input none;
-static ella_feedforward_state state;
-static ella_feedforward_efforts_work work;
+#ifdef CONSOLE
+#define FEEDFORWARD
+#define SHAPER
+#define LAW
 #endif
 
 enum { JOINTS = ELLA_PLAN_JOINTS };
@@ -25,7 +23,14 @@ static const double STEP = 1e-3; /* s */
 static ella_plan_state place;
 static ella_plan_reference out;
 
-#ifndef PLAN_ALONE
+#ifdef FEEDFORWARD
+#include "ella_feedforward_efforts.h"
+
+static ella_feedforward_parameters parameters;
+static ella_feedforward_constants constants;
+static ella_feedforward_input none;
+static ella_feedforward_state state;
+static ella_feedforward_efforts_work work;
 static double tau[JOINTS];
 
 static int prepare(void)
@@ -46,31 +51,56 @@ static int prepare(void)
 }
 #endif
 
+#ifdef SHAPER
+#include "ella_shaper.h"
+
+static ella_shaper_state ring;
+static double shaped[JOINTS];
+#endif
+
+#ifdef LAW
+#include "ella_lqg.h"
+
+static ella_lqg_state memory;
+static ella_lqg_input given;
+static double effort[JOINTS];
+#endif
+
 #ifdef CONSOLE
 #include "instruments.h"
 
 enum { SAMPLES = 1201, SHOWN = 20 };
 
-static void print_numbers(const double *x, int n)
+static const double LOAD = 1.1;
+
+static void print_numbers(const double *x)
 {
     int k;
-    for (k = 0; k < n; ++k) {
+    for (k = 0; k < JOINTS; ++k) {
         uint64_t bits;
         memcpy(&bits, &x[k], sizeof bits);
         printf(" %08lx%08lx", (unsigned long)(bits >> 32), (unsigned long)(bits & 0xffffffffu));
     }
 }
 
+static int start(void)
+{
+    memcpy(given.measured, out.q, sizeof out.q);
+    given.load[0] = LOAD;
+    return prepare() || ella_shaper_start(&ring, 0, out.q) != ELLA_SHAPER_OK || ella_lqg_start(&memory, &given) != ELLA_LQG_OK;
+}
+
 static int sample(int n)
 {
+    const double t = n * STEP;
     printf("count plan 1\n");
     count_begin();
-    if (ella_plan_sample(&place, n * STEP, STEP, &out) != ELLA_PLAN_OK) {
+    if (ella_plan_sample(&place, t, STEP, &out) != ELLA_PLAN_OK) {
         return 1;
     }
     count_end();
     if (n == 0) {
-        return prepare();
+        return start();
     }
     printf("count feedforward 1\n");
     count_begin();
@@ -78,12 +108,28 @@ static int sample(int n)
         return 1;
     }
     count_end();
+    printf("count shaper 1\n");
+    count_begin();
+    if (ella_shaper_sample(&ring, t, out.q, out.q, shaped) != ELLA_SHAPER_OK) {
+        return 1;
+    }
+    count_end();
+    memcpy(given.measured, out.q, sizeof out.q);
+    memcpy(given.q, shaped, sizeof shaped);
+    printf("count law 1\n");
+    count_begin();
+    if (ella_lqg_sample(&memory, t, &given, effort) != ELLA_LQG_OK) {
+        return 1;
+    }
+    count_end();
     if (n % SHOWN == 0) {
         printf("sample %d", n);
-        print_numbers(out.q, JOINTS);
-        print_numbers(out.v, JOINTS);
-        print_numbers(out.tau, JOINTS);
-        print_numbers(tau, JOINTS);
+        print_numbers(out.q);
+        print_numbers(out.v);
+        print_numbers(out.tau);
+        print_numbers(tau);
+        print_numbers(shaped);
+        print_numbers(effort);
         printf("\n");
     }
     return 0;
@@ -92,8 +138,9 @@ static int sample(int n)
 int main(void)
 {
     int n;
-    printf("size plan %u\nsize constants %u\n", (unsigned)(sizeof place + sizeof out), (unsigned)sizeof constants);
-    printf("size state %u\nsize work %u\n", (unsigned)sizeof state, (unsigned)sizeof work);
+    printf("size plan %u\n", (unsigned)(sizeof place + sizeof out));
+    printf("size feedforward %u\n", (unsigned)(sizeof constants + sizeof state + sizeof work));
+    printf("size shaper %u\nsize law %u\n", (unsigned)sizeof ring, (unsigned)(sizeof memory + sizeof given));
     count_known();
     if (ella_plan_start(&place, 0) != ELLA_PLAN_OK) {
         return 1;
@@ -106,6 +153,8 @@ int main(void)
     }
     STACK("plan_sample", ella_plan_sample(&place, 1.5, STEP, &out));
     STACK("feedforward", ella_feedforward(&constants, &state, out.q, out.v, STEP, &work, tau));
+    STACK("shaper_sample", ella_shaper_sample(&ring, SAMPLES * STEP, out.q, out.q, shaped));
+    STACK("lqg_sample", ella_lqg_sample(&memory, SAMPLES * STEP, &given, effort));
     printf("done\n");
     return 0;
 }
@@ -114,13 +163,26 @@ int main(void)
 {
     static volatile double now;
     (void)ella_plan_start(&place, now);
-#ifndef PLAN_ALONE
+#ifdef FEEDFORWARD
     (void)prepare();
+#endif
+#ifdef SHAPER
+    (void)ella_shaper_start(&ring, now, out.q);
+#endif
+#ifdef LAW
+    (void)ella_lqg_start(&memory, &given);
 #endif
     for (;;) {
         (void)ella_plan_sample(&place, now, STEP, &out);
-#ifndef PLAN_ALONE
+#ifdef FEEDFORWARD
         (void)ella_feedforward(&constants, &state, out.q, out.v, STEP, &work, tau);
+#endif
+#ifdef SHAPER
+        (void)ella_shaper_sample(&ring, now, out.q, out.q, shaped);
+#endif
+#ifdef LAW
+        memcpy(given.q, out.q, sizeof out.q);
+        (void)ella_lqg_sample(&memory, now, &given, effort);
 #endif
     }
 }

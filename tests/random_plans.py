@@ -14,6 +14,7 @@ from helpers import arm, example_dict, link, model_of
 import screwgen
 from screwgen import UsageError
 from screwgen.planning.members import Still
+from screwgen.planning.scheduled_shaper import ScheduledShaper
 
 LIMITS = {"efforts": ("efforts",), "rates": ("rates",), "joint ranges": ("lower", "upper")}
 """By what a refusal calls them."""
@@ -43,6 +44,12 @@ def ella(order: int | str = 1, modes: int = 2) -> screwgen.Model:
         row["modes"] = {"bending_y": modes, "bending_z": modes, "torsion": 1}
         row["joint"] = {**row["joint"], "armature": rotors}
     return model_of(robot)
+
+
+@cache
+def shaper_of_ella() -> ScheduledShaper:
+    """ZV for two modes, joints locked."""
+    return screwgen.shape(ella(), [-1.0, -1.0, -2.0], [1.0, 1.0, 2.0], kind="zv", modes=2)
 
 
 def rod() -> screwgen.Model:

@@ -18,11 +18,11 @@ def coefficients(q0: Any, q1: Any, v0: Any, v1: Any, a0: Any, a1: Any) -> list[A
     ]
 
 
-def hermite(q0: Any, q1: Any, v0: Any, v1: Any, a0: Any, a1: Any, s: float) -> Any:
+def hermite(q0: Any, q1: Any, v0: Any, v1: Any, a0: Any, a1: Any, s: Any) -> Any:
     """Its value at a share."""
     return sum(c * s**power for power, c in enumerate(coefficients(q0, q1, v0, v1, a0, a1)))
 
 
-def slope(q0: Any, q1: Any, v0: Any, v1: Any, a0: Any, a1: Any, s: float) -> Any:
+def slope(q0: Any, q1: Any, v0: Any, v1: Any, a0: Any, a1: Any, s: Any) -> Any:
     """Its slope at a share, by the share."""
     return sum(n * c * s ** (n - 1) for n, c in enumerate(coefficients(q0, q1, v0, v1, a0, a1)) if n)

@@ -8,7 +8,7 @@ from typing import BinaryIO
 import numpy as np
 
 from ..files import sound
-from .array_files import arrays_of, check_numbers, check_shapes
+from ..spec.array_files import arrays_of, check_numbers, check_shapes
 from .lqg import Lqg
 from .lqg_design import LqgGains
 from .scheduling import MOST, Grid

@@ -7,7 +7,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from .array_files import arrays_of, check_numbers, check_shapes
+from ..spec.array_files import arrays_of, check_numbers, check_shapes
 from .plan import ARRAYS, MotionPlan
 
 STEP = 1e-3

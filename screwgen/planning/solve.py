@@ -20,6 +20,8 @@ PRECISION, PIVOTS = 1e-6, 1e-2
 """The solver's tolerance, and the least pivots of its factors: smaller ones leave wrong signs of curvature."""
 LEFT, MOST_STRICT = 2e-5, 1e9
 """What may be left of the energy of a motion, and the largest weight of it."""
+ROUNDS = 5
+"""How often a motion is sought again for limits that it passes between its points; it is unsound if it still does."""
 Progress = Callable[[int, int], None]
 
 
@@ -85,6 +87,8 @@ def solve(
         again = solve(task.stricter(), members, there, progress)
         return replace(again, iterations=again.iterations + there.iterations)
     if sound and (shares := broken(task, members, found)):
+        if task.rounds == ROUNDS:
+            return there
         again = solve(task.also_at(shares), members, there, progress)
         return replace(again, iterations=again.iterations + there.iterations)
     return replace(there, sound=sound)

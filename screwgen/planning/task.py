@@ -69,6 +69,8 @@ class Task:
     """What energies are measured in, J."""
     between: tuple[float, ...] = ()
     """Shares of the time, between the points of the programme, at which limits of joints and strains are asked too."""
+    rounds: int = 0
+    """How often such shares were added."""
 
     @property
     def way(self) -> np.ndarray:
@@ -86,7 +88,7 @@ class Task:
 
     def also_at(self, shares: tuple[float, ...]) -> Task:
         """The same with limits at further shares of the time."""
-        return replace(self, between=self.between + shares)
+        return replace(self, between=self.between + shares, rounds=self.rounds + 1)
 
     def measured_in(self, inertia: np.ndarray, holding: np.ndarray) -> Task:
         """The same with the sizes of its torques and energies, of an arm with an inertia (n_joints, n_joints)."""

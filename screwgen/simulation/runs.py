@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import AbstractContextManager, ExitStack, contextmanager, suppress
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -16,8 +16,9 @@ from .. import notebook
 from ..algorithms.entry_names import entry_names
 from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, OUTPUTS
 from ..errors import UsageError
-from ..files import Arrays, open_arrays
+from ..files import Arrays
 from ..robot_model import RobotModel
+from ..spec.array_files import arrays_of
 from ..spec.inputs import TORQUES, places
 from ..spec.load import dump, one_line
 from ..spec.tendons import TENSIONS
@@ -223,16 +224,9 @@ FORMATS: dict[str, Callable[[Run, BinaryIO], None]] = {".npz": write_npz, ".csv"
 # ------------------------------------------------------------------------------ files
 
 
-@contextmanager
-def run_arrays(path: str | os.PathLike[str]) -> Iterator[Arrays]:
+def run_arrays(path: str | os.PathLike[str]) -> AbstractContextManager[Arrays]:
     """The arrays of the .npz file of a run; what cannot be read becomes a UsageError that names the file."""
-    shown = one_line(os.fsdecode(path))
-    try:
-        with open_arrays(path) as arrays:
-            yield arrays
-    except (OSError, ValueError) as error:
-        why = one_line(getattr(error, "strerror", None) or str(error))
-        raise UsageError(f"{shown}: cannot be read as a run ({why}); give a .npz of simulate") from None
+    return arrays_of(path, "a run", "a .npz of simulate")
 
 
 def suffix(path: str | os.PathLike[str]) -> str:

@@ -1,4 +1,4 @@
-"""What files of plans and of laws have in common, .npz: whatever is wrong with one is a line."""
+"""What files of runs, plans and laws have in common, .npz: whatever is wrong with one is a line."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from ..errors import UsageError
 from ..files import Arrays, open_arrays, sound
-from ..spec.load import one_line
+from .load import one_line
 
 UNLIMITED = "tau_max"
 """The array that may be infinite."""

@@ -32,6 +32,9 @@ def plan(
         str | None, typer.Option(metavar="c", help="Write the plan as C, into the folder after -o.")
     ] = None,
     step: Annotated[float, typer.Option(metavar="S", help="Between the rows of a .csv file.")] = 1e-3,
+    fast: Annotated[
+        bool, typer.Option("--fast", help="Polynomials by least squares: limits are checked, not sought with.")
+    ] = False,
     quiet: Quiet = False,
 ) -> None:
     """Plan a motion of the joints from rest to rest that leaves nothing vibrating, with its torques."""
@@ -53,7 +56,7 @@ def plan(
     goal = asked.goal or inverse_kinematics(model, asked.goal_tip or (), asked.start)
     with destination(output, target, step) as write, stoppable():
         with bar("planning", 80, quiet) as progress:
-            found = made(model, asked.start, goal, asked.time, **ways, progress=progress)
+            found = made(model, asked.start, goal, asked.time, **ways, fast=fast, progress=progress)
         files = write(found)
     figures = f"{found.time:.4g} s, {found.said['iterations']} iterations, torques up to {found.effort.max():.4g}"
     bare = "" if found.kp.any() else "; without gains nothing corrects what the model does not know"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,11 +13,12 @@ from ..arguments import Given, Numbers, array, seconds, whole
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.plan import INTERVALS, LARGEST, LEAST, SHORTEST
-from .collocation import at_points
+from .bumps import FINER
+from .bumps import fast as fast_found
 from .limits import HEADROOM, motion_limits
 from .members import PlannedModel, Still, member
 from .plan import MotionPlan
-from .refusals import check_ends, no_plan, refuse_robot
+from .refusals import check_ends, no_fast_plan, no_plan, refuse_robot
 from .shortest import shortest
 from .solve import Found, Progress, solve
 from .task import JointLaw, Task
@@ -34,6 +36,7 @@ def plan(
     models: Sequence[Mapping[str, float]] = (),
     limits: Mapping[str, Any] | None = None,
     intervals: int = INTERVALS,
+    fast: bool = False,
     parameters: Given = None,
     progress: Progress | None = None,
 ) -> MotionPlan:
@@ -51,6 +54,8 @@ def plan(
     robot file; a joint that no drive moves, as a rope's, has the effort 0. `strains` and `wrenches` are tables of the
     largest sizes of `model.strain_names` and `model.wrench_names`, as `{"*.base_strain.*": 0.02}`.
     `intervals`: of the time; torques are linear over each, so they do not reach modes faster than these.
+    `fast`: joints move along polynomials whose coefficients are found by least squares, within a second or so. Limits
+    are not sought with but checked: a motion that passes one is refused. The time is stated; intervals are finer.
 
     Raises UsageError, which names the limit where one forbids the motion.
     """
@@ -59,6 +64,8 @@ def plan(
     bounds, law = motion_limits(model, limits or {}, gains), law_of(gains, m, bool(models))
     intervals = whole(intervals, "intervals", LEAST, LARGEST)
     fixed = time != SHORTEST
+    if fast and not fixed:
+        raise UsageError("time: is 'shortest', which is sought with limits; plan without fast, or state a time")
     ends = array(start, "start:", (m,)), array(goal, "goal:", (m,))
     duration = seconds(time, "the time") if fixed else 1.0
     task = Task(*ends, duration, intervals, law, bounds, waypoints(through, *ends, time))
@@ -67,7 +74,13 @@ def plan(
     first = check_ends(task, model, own, fixed)
     task = task.measured_in(np.array(own.inertia(first.q))[:m, :m], first.torque)
     search = lambda task, near: _found(task, own, others, near, progress)  # noqa: E731
-    if fixed:
+    if fast:
+        task = replace(task, intervals=FINER * intervals)
+        members = _members(task, own, others)
+        found = fast_found(task, members, progress)
+        if why := no_fast_plan(task, model, members, found):
+            raise why
+    elif fixed:
         found = search(task, None)
         if not found.sound:
             raise no_plan(task, model, own, search)
@@ -86,7 +99,7 @@ def _planned(model: RobotModel, task: Task, found: Found, said: Mapping[str, Any
     """What a search has found, as a plan."""
     m, motion = model.n_joints, found.motions[0]
     q, v, a = (np.ascontiguousarray(x[:m].T) for x in (motion.q, motion.v, motion.a))
-    torques = np.ascontiguousarray(at_points(found.torques, task.intervals).T)
+    torques = np.ascontiguousarray(found.torques_at_points.T)
     t, names = np.linspace(0.0, task.time, len(q)), tuple(model.q_names[:m])
     limits, law = task.limits.efforts / HEADROOM, task.law
     return MotionPlan(model.robot.name, names, t, q, v, a, torques, law.kp, law.kd, limits, said)
@@ -94,15 +107,17 @@ def _planned(model: RobotModel, task: Task, found: Found, said: Mapping[str, Any
 
 def _found(task: Task, own: Still, others: Sequence[Still], near: Found | None, progress: Progress | None) -> Found:
     """The plan for the first model, then for all, from it on."""
-    members: list[PlannedModel] = [member(own, task, None)]
-    alone = near or solve(task, members, None, progress)
-    if near is not None:
-        members += [member(x, task, members[0]) for x in others]
-        return solve(task, members, near, progress)
-    if not (alone.sound and others):
+    members = _members(task, own, others)
+    alone = near or solve(task, members[:1], None, progress)
+    if near is None and not (alone.sound and others):
         return alone
-    members += [member(x, task, members[0]) for x in others]
     return solve(task, members, alone, progress)
+
+
+def _members(task: Task, own: Still, others: Sequence[Still]) -> list[PlannedModel]:
+    """All models of a task, the one that is planned for first."""
+    first = member(own, task, None)
+    return [first, *(member(x, task, first) for x in others)]
 
 
 def scaled(model: RobotModel, values: np.ndarray, factors: Mapping[str, float]) -> np.ndarray:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +10,7 @@ import numpy as np
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from .collocation import Trajectory
-from .members import AtRest, Still
+from .members import AtRest, PlannedModel, Still
 from .solve import Found
 from .task import MotionLimits, Task
 
@@ -80,7 +80,7 @@ def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> AtRest
 def no_plan(task: Task, model: RobotModel, own: Still, search: Callable[[Task, Found | None], Found]) -> UsageError:
     """The error of a task without a plan: which limit forbids it, found by seeking without it."""
     said = f"no plan was found in {task.time:g} s"
-    there = [name for name, keys in GROUPS.items() if any(np.isfinite(getattr(task.limits, k)).any() for k in keys)]
+    there = _stated(task.limits)
     if there:
         free = search(without(task, there), None)
         if free.sound:
@@ -90,6 +90,28 @@ def no_plan(task: Task, model: RobotModel, own: Still, search: Callable[[Task, F
             return UsageError(f"{said}: {cause}; without limits {', '.join(passed)}; take more time, or raise limits")
     remedy = "take more time, other intervals, or an order of the links that bears such bends"
     return UsageError(f"{said}: the search did not converge{', even without limits' * bool(there)}; {remedy}")
+
+
+def no_fast_plan(task: Task, model: RobotModel, members: Sequence[PlannedModel], found: Found) -> UsageError | None:
+    """The error of a fast search that leaves the arm vibrating, or passes a limit; None where it does neither."""
+    remedy = "plan without fast, which seeks with limits, or take more time"
+    if not found.sound:
+        return UsageError(f"the fast search brings the arm to no rest in {task.time:g} s; {remedy}")
+    first = found.motions[0].joints(len(task.start))
+    for i, (member, motion) in enumerate(zip(members, found.motions, strict=True)):
+        own = motion.joints(len(task.start))
+        lag = task.law.kp[:, None] * (first.q - own.q) + task.law.kd[:, None] * (first.v - own.v)
+        moved = replace(found, motions=[motion], torques=found.torques + lag * (i > 0))
+        for name in _stated(task.limits):
+            if (name != "rates of efforts" or not i) and (what := _passed(name, task, model, member.still, moved)):
+                of = f" of models[{i - 1}]" * (i > 0)
+                return UsageError(f"the fast plan passes the limits of {name}{of}: {what}; {remedy}")
+    return None
+
+
+def _stated(limits: MotionLimits) -> list[str]:
+    """The groups of limits that there are."""
+    return [name for name, keys in GROUPS.items() if any(np.isfinite(getattr(limits, k)).any() for k in keys)]
 
 
 def without(task: Task, groups: list[str]) -> Task:
@@ -102,7 +124,7 @@ def without(task: Task, groups: list[str]) -> Task:
 def _passed(group: str, task: Task, model: RobotModel, own: Still, found: Found) -> str:
     """By how much a motion without limits passes those of a group, where it does so most."""
     m, limits, motion = len(task.start), task.limits, found.motions[0]
-    pace = np.diff(found.torques, axis=1) * task.intervals / task.time
+    pace = np.diff(found.torques, axis=1) * (found.torques.shape[1] - 1) / task.time
     loads = {what: (sizes, most, "", names) for what, sizes, most, names in _loads(model, own, motion, limits)}
     reached, most, unit, names = {
         "efforts": (np.abs(found.torques).max(axis=1), limits.efforts, "", model.q_names),
@@ -112,7 +134,8 @@ def _passed(group: str, task: Task, model: RobotModel, own: Still, found: Found)
         **loads,
     }[group]
     j = int(np.argmax(reached / np.maximum(most, 1e-12)))
-    return f"{names[j]} would take {reached[j]:.4g}{unit} of {most[j]:.4g}" if reached[j] > most[j] else ""
+    passed = reached[j] > most[j] * (1 + ROUNDING)
+    return f"{names[j]} would take {reached[j]:.4g}{unit} of {most[j]:.4g}" if passed else ""
 
 
 def _loads(

@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 
 from .between import broken
-from .collocation import Trajectory, transcribed
+from .collocation import Trajectory, at_points, transcribed
 from .members import PlannedModel
 from .task import Task
 
@@ -27,7 +27,7 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True)
 class Found:
-    """The motions of all models and the torques (n_joints, intervals + 1), and how the search went."""
+    """The motions of all models and the torques (n_joints, intervals + 1 or points), and how the search went."""
 
     motions: list[Trajectory]
     torques: np.ndarray
@@ -38,6 +38,12 @@ class Found:
     """What the first model has left to vibrate with at the end, over the energy of the motion."""
     sound: bool
     """Whether everything that was asked for holds."""
+
+    @property
+    def torques_at_points(self) -> np.ndarray:
+        """(n_joints, points): torques at the ends and middles of intervals."""
+        points = self.motions[0].q.shape[1]
+        return self.torques if self.torques.shape[1] == points else at_points(self.torques, points // 2)
 
     def within(self, time: float) -> Found:
         """The same motions in another time, as a first guess."""

@@ -1,0 +1,247 @@
+"""Plans without a nonlinear programme: joints of least jerk plus polynomials, found by least squares.
+
+The polynomials ("bumps") begin and end at rest, so whatever their coefficients are joints arrive. What modes do under
+such joints, and further models under the joint law, follows from the residuals of inverse dynamics over intervals with
+the rule of :mod:`collocation`. An iteration linearises these about the latest motions, so that all of them follow from
+the coefficients, and takes the coefficients with the least cost: that of the collocation, without its limits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from ..lazily import linalg
+from .collocation import INNER, OUTER, Trajectory
+from .members import PlannedModel
+from .solve import LEFT, Found, Progress
+from .task import WEIGHT, Task
+
+COUNT = 16
+"""Polynomials of each joint: more of them bear more modes, and bend the torques more."""
+FINER = 4
+"""Steps in an interval of the search with limits: torques are told at their ends and middles."""
+MOST, SETTLED = 12, 1e-6
+"""Iterations that change coefficients, and the largest change of a coordinate at which these are good enough."""
+HELD, CLOSE = 8, 1e-9
+"""Further ones, which only balance forces, and the largest unbalanced one, by the size of torques, at their end.
+
+All coefficients are motions, so the least cost need not be met to all digits; the equations of motion must be.
+"""
+
+
+@dataclass(frozen=True)
+class Bumps:
+    """Motions of the joints at points that are linear in coefficients (n_joints, K)."""
+
+    path: Trajectory
+    """(n_joints, points) each: that of all coefficients zero."""
+    basis: np.ndarray
+    """(3, K, points): coordinates, rates and accelerations of the polynomials."""
+
+    def motion(self, c: np.ndarray) -> np.ndarray:
+        """(3, n_joints, points): of coefficients (n_joints, K)."""
+        return np.array([self.path.q, self.path.v, self.path.a]) + np.einsum("jk,dkp->djp", c, self.basis)
+
+
+def bumps(task: Task) -> Bumps:
+    """Paths of least jerk and polynomials of a task, through its waypoints."""
+    s = np.linspace(0.0, 1.0, 2 * task.intervals + 1)
+    shares = np.array([x.share for x in task.through])
+    way = np.outer(task.goal - task.start, [0, 0, 0, 10, -15, 6])
+    least = [np.polynomial.Polynomial(row) + x for row, x in zip(way, task.start, strict=True)]
+    flat = np.polynomial.Polynomial([0, 0, 0, 1, -3, 3, -1])
+    free = [
+        flat * np.polynomial.Legendre.basis(k, [0, 1]).convert(kind=np.polynomial.Polynomial, domain=[-1, 1])
+        for k in range(COUNT + len(shares))
+    ]
+    made = np.array([[x.deriv(d)(s) / task.time**d for x in free] for d in range(3)])
+    path = np.array([[x.deriv(d)(s) / task.time**d for x in least] for d in range(3)])
+    if len(shares):
+        passed = np.array([x(shares) for x in free]).T
+        off = np.array([x.joints for x in task.through]).T - np.array([x(shares) for x in least])
+        path = path + np.einsum("jk,dkp->djp", off @ np.linalg.pinv(passed).T, made)
+        made = np.einsum("kf,dkp->dfp", linalg.null_space(passed), made)
+    return Bumps(Trajectory(*path), made)
+
+
+@dataclass
+class FollowedMotion:
+    """The motion of a model (3, n, points), and its derivatives by all coefficients (3, n, points, n_joints K)."""
+
+    motion: np.ndarray
+    by_c: np.ndarray
+    torques: np.ndarray
+    """(n_joints, points): of the joints, before that of the law is taken off."""
+    torques_by_c: np.ndarray
+    off: float
+    """The largest unbalanced force before the step, by the size of torques."""
+
+
+class Responding:
+    """One of the models of a plan as its joints, or their references and torques, are told to go."""
+
+    def __init__(self, task: Task, member: PlannedModel, given: bool):
+        """`given`: joints go as told; otherwise references and torques are told, and the law does the rest."""
+        self.task, self.member, self.given = task, member, given
+        n, self.m = len(member.start.q), len(task.start)
+        self.free = slice(self.m if given else 0, n)
+        z = [ca.SX.sym(name, n) for name in "qva"]
+        force = member.still.residual(*z)
+        slopes = [ca.densify(ca.jacobian(force, x)) for x in z]
+        self.slopes = ca.Function("slopes", z, [force, *slopes]).map(2 * task.intervals + 1)
+        h = task.time / task.intervals
+        self.rule = h * np.array([INNER, OUTER])
+
+    def follow(self, motion: np.ndarray, told: np.ndarray, told_by_c: np.ndarray) -> FollowedMotion:
+        """A step of Newton's method from a motion (3, n, points), and how the result depends on coefficients.
+
+        `told` (3 or 4, n_joints, points): coordinates, rates and accelerations of the joints, or of their references,
+        then with the torques in place of accelerations; `told_by_c` has one more axis, of coefficients.
+        """
+        n, m, free, points = motion.shape[1], self.m, self.free, motion.shape[2]
+        if self.given:
+            motion = motion.copy()
+            motion[:, :m] = told
+        force, *slopes = (np.array(x) for x in self.slopes(*motion))
+        F = np.moveaxis(np.array(slopes).reshape(3, n, points, n), 2, 1)
+        columns = np.zeros((points, n, 1 + told_by_c.shape[-1]))
+        columns[:, :, 0] = -force.T
+        if self.given:
+            columns[:, :, 1:] -= np.einsum("dpij,djpc->pic", F[..., :m], told_by_c)
+        else:
+            kp, kd = self.task.law.kp[:, None], self.task.law.kd[:, None]
+            columns[:, :m, 0] += (told[2] + kp * (told[0] - motion[0, :m]) + kd * (told[1] - motion[1, :m])).T
+            by_c = told_by_c[2] + kp[:, :, None] * told_by_c[0] + kd[:, :, None] * told_by_c[1]
+            columns[:, :m, 1:] += by_c.transpose(1, 0, 2)
+            F[0, :, range(m), range(m)] += self.task.law.kp[:, None]
+            F[1, :, range(m), range(m)] += self.task.law.kd[:, None]
+        change = np.zeros((3, n, points, columns.shape[2]))
+        change[:, free] = self._integrated(F[:, :, free, free], columns[:, free], motion[:, free])
+        if self.given:
+            change[:, :m, :, 1:] = told_by_c
+        by_change = np.einsum("dpij,djpc->ipc", F[:, :, :m], change)
+        torques = force[:m, :, None] * (np.arange(change.shape[-1]) == 0) + by_change
+        off = float(np.abs(columns[:, free, 0]).max(initial=0.0) / self.task.force_scale)
+        return FollowedMotion(motion + change[..., 0], change[..., 1:], torques[..., 0], torques[..., 1:], off)
+
+    def _integrated(self, F: np.ndarray, columns: np.ndarray, motion: np.ndarray) -> np.ndarray:
+        """Changes (3, f, points, C) of a motion (3, f, points), with derivatives `F` (3, points, f, f) of its forces.
+
+        `columns` (points, f, C) are what the changes have to balance. The first column also mends what the motion
+        misses of the rule.
+        """
+        f, points, C = F.shape[2], F.shape[1], columns.shape[2]
+        out = np.zeros((3, f, points, C))
+        A, first = self.rule[:, 1:], self.rule[:, 0]
+        A2, size = A @ A, f * 2
+        for k in range(0, points - 1, 2):
+            at = slice(k + 1, k + 3)
+            known = out[:, :, k]
+            base = np.empty((2, 2, f, C))
+            ahead = motion[:, :, at].transpose(0, 2, 1)
+            gap_v, gap_q = (
+                motion[d, :, k] + np.outer(first, motion[d + 1, :, k]) + A @ ahead[d + 1] - ahead[d] for d in (1, 0)
+            )
+            base[1] = known[1] + first[:, None, None] * known[2]
+            base[1, ..., 0] += gap_v
+            base[0] = known[0] + first[:, None, None] * known[1] + np.einsum("ik,kfc->ifc", A, base[1])
+            base[0, ..., 0] += gap_q
+            right = columns[at] - F[0, at] @ base[0] - F[1, at] @ base[1]
+            left = np.einsum("iab,ik->iakb", F[0, at], A2) + np.einsum("iab,ik->iakb", F[1, at], A)
+            left[0, :, 0] += F[2, k + 1]
+            left[1, :, 1] += F[2, k + 2]
+            a = np.linalg.solve(left.reshape(size, size), right.reshape(size, C)).reshape(2, f, C) if f else right
+            changed = (
+                base[0] + np.einsum("ik,kfc->ifc", A2, a),
+                base[1] + np.einsum("ik,kfc->ifc", A, a),
+                a,
+            )
+            out[:, :, at] = np.array(changed).transpose(0, 2, 1, 3)
+        return out
+
+
+class LeastSquares:
+    """The least squares whose unknowns are the coefficients, about the latest motions of all models."""
+
+    def __init__(self, task: Task, members: Sequence[PlannedModel]):
+        self.task, self.members = task, members
+        self.shape = bumps(task)
+        m, (K, points) = len(task.start), self.shape.basis.shape[1:]
+        self.points, self.none = points, np.zeros((m, K))
+        self.by_c = np.einsum("dkp,ij->dipjk", self.shape.basis, np.eye(m)).reshape(3, m, points, m * K)
+        self.models = [Responding(task, x, not i) for i, x in enumerate(members)]
+        self.roots = [_root(x.energy) / np.sqrt(task.energy_scale) for x in members]
+
+    def begin(self) -> list[np.ndarray]:
+        """Motions (3, n, points) of all models with all coefficients zero, from their rests to their rests."""
+        task, s, out = self.task, np.linspace(0.0, 1.0, self.points), []
+        m, straight = len(task.start), task.start[:, None] + np.outer(task.goal - task.start, s)
+        for x in self.members:
+            motion = np.zeros((3, len(x.start.q), self.points))
+            motion[:, :m] = self.shape.motion(self.none)
+            motion[0, :m] -= straight
+            motion[0] += x.start.q[:, None] + np.outer(x.goal.q - x.start.q, s)
+            out.append(motion)
+        return out
+
+    def follow(self, motions: Sequence[np.ndarray], c: np.ndarray) -> list[FollowedMotion]:
+        """The motions of coefficients (n_joints, K): of the first model, and what others make of its torques."""
+        told, by_c = self.shape.motion(c), self.by_c
+        first = self.models[0].follow(motions[0], told, by_c)
+        told, by_c = np.stack([*told[:2], first.torques]), np.stack([*by_c[:2], first.torques_by_c])
+        others = zip(self.models[1:], motions[1:], strict=True)
+        return [first, *(model.follow(motion, told, by_c) for model, motion in others)]
+
+    def equations(self, found: Sequence[FollowedMotion]) -> tuple[np.ndarray, np.ndarray, float]:
+        """Values whose squares are the cost, their slopes by coefficients, the energy that the first model keeps."""
+        size, weight = np.sqrt(self.points - 1) / self.task.force_scale, np.sqrt(self.task.weight)
+        values = [size * np.diff(found[0].torques, axis=1).ravel()]
+        slopes = [size * np.diff(found[0].torques_by_c, axis=1).reshape(values[0].size, -1)]
+        left = []
+        for x, root, response in zip(self.members, self.roots, found, strict=True):
+            end = np.append(response.motion[0, :, -1] - x.goal.q, response.motion[1, :, -1])
+            left.append(root @ end)
+            slopes.append(weight * root @ np.vstack([response.by_c[0, :, -1], response.by_c[1, :, -1]]))
+        return np.concatenate([*values, *(weight * x for x in left)]), np.vstack(slopes), float(left[0] @ left[0])
+
+
+def fast(task: Task, members: Sequence[PlannedModel], progress: Progress | None = None) -> Found:
+    """The motions of least cost of all models, with torques (n_joints, points) at ends and middles of intervals.
+
+    `sound` says that the search has ended and that nothing vibrates; limits are for the caller to check.
+    """
+    if len(members) == 1 and task.weight == WEIGHT:
+        task = task.stricter()
+    squares = LeastSquares(task, members)
+    c, motions, torques = squares.none, squares.begin(), np.zeros((len(task.start), squares.points))
+    cost = left = np.inf
+    settled, converged, done = False, False, 0
+    while done < MOST + HELD and not converged:
+        settled, done = settled or done >= MOST, done + 1
+        if progress is not None:
+            progress(done, MOST + HELD)
+        found = squares.follow(motions, c)
+        value, slopes, left = squares.equations(found)
+        step = np.zeros(c.size) if settled else np.linalg.lstsq(slopes, -value, rcond=None)[0]
+        moved = [x.motion + x.by_c @ step for x in found]
+        change = max(np.abs(new - old)[0].max() for new, old in zip(moved, motions, strict=True))
+        if not np.isfinite(change):
+            break
+        c, motions, cost = c + step.reshape(c.shape), moved, float(value @ value)
+        torques = found[0].torques + found[0].torques_by_c @ step
+        converged = settled and max(x.off for x in found) <= CLOSE
+        settled = settled or change <= SETTLED
+    if progress is not None:
+        progress(MOST + HELD, MOST + HELD)
+    sound = converged and (len(members) > 1 or left <= LEFT)
+    return Found([Trajectory(*x) for x in motions], torques, task.time, done, cost, left, sound)
+
+
+def _root(energy: np.ndarray) -> np.ndarray:
+    """A matrix whose square is that of a nonnegative form."""
+    sizes, vectors = np.linalg.eigh(energy)
+    return np.sqrt(np.maximum(sizes, 0.0))[:, None] * vectors.T

@@ -141,23 +141,23 @@ class Responding:
         for k in range(0, points - 1, 2):
             at = slice(k + 1, k + 3)
             known = out[:, :, k]
-            base = np.empty((2, 2, f, C))
+            drift = np.empty((2, 2, f, C))  # coordinates and rates without the accelerations that are sought
             ahead = motion[:, :, at].transpose(0, 2, 1)
             gap_v, gap_q = (
                 motion[d, :, k] + np.outer(first, motion[d + 1, :, k]) + A @ ahead[d + 1] - ahead[d] for d in (1, 0)
             )
-            base[1] = known[1] + first[:, None, None] * known[2]
-            base[1, ..., 0] += gap_v
-            base[0] = known[0] + first[:, None, None] * known[1] + np.einsum("ik,kfc->ifc", A, base[1])
-            base[0, ..., 0] += gap_q
-            right = columns[at] - F[0, at] @ base[0] - F[1, at] @ base[1]
+            drift[1] = known[1] + first[:, None, None] * known[2]
+            drift[1, ..., 0] += gap_v
+            drift[0] = known[0] + first[:, None, None] * known[1] + np.einsum("ik,kfc->ifc", A, drift[1])
+            drift[0, ..., 0] += gap_q
+            right = columns[at] - F[0, at] @ drift[0] - F[1, at] @ drift[1]
             left = np.einsum("iab,ik->iakb", F[0, at], A2) + np.einsum("iab,ik->iakb", F[1, at], A)
             left[0, :, 0] += F[2, k + 1]
             left[1, :, 1] += F[2, k + 2]
             a = np.linalg.solve(left.reshape(size, size), right.reshape(size, C)).reshape(2, f, C) if f else right
             changed = (
-                base[0] + np.einsum("ik,kfc->ifc", A2, a),
-                base[1] + np.einsum("ik,kfc->ifc", A, a),
+                drift[0] + np.einsum("ik,kfc->ifc", A2, a),
+                drift[1] + np.einsum("ik,kfc->ifc", A, a),
                 a,
             )
             out[:, :, at] = np.array(changed).transpose(0, 2, 1, 3)

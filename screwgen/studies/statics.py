@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from ..algorithms.travels import travels
-from ..errors import UsageError
+from ..errors import SingularError, UsageError
 from ..robot_model import RobotModel
 from ..spec.link_class import EXACT
 from ..spec.reduced import reach, sizes
@@ -254,11 +254,20 @@ def downhill(statics: Statics, b: Balance) -> Balance:
 def shortened(statics: Statics, b: Balance, step: np.ndarray, force: np.ndarray, convex: bool) -> Balance | None:
     """The balance after `step` or a part of it that lowers the energy, near a minimum the forces; None: none does."""
     for _ in range(40):
-        there, slope = statics.moved(b, step), float(force @ step)
-        if there.energy <= b.energy + 1e-4 * slope or (convex and there.residual < 0.5 * b.residual):
+        there, slope = within_reach(statics, b, step), float(force @ step)
+        falls = there and there.energy <= b.energy + 1e-4 * slope
+        if there and (falls or (convex and there.residual < 0.5 * b.residual)):
             return there
         step = step / 2
     return None
+
+
+def within_reach(statics: Statics, b: Balance, step: np.ndarray) -> Balance | None:
+    """The balance after `step`; None where that leads beyond the reach of a linkage."""
+    try:
+        return statics.moved(b, step)
+    except SingularError:
+        return None
 
 
 def rooted(statics: Statics, first: Balance) -> Balance:
@@ -306,8 +315,8 @@ def polished(statics: Statics, b: Balance) -> Balance:
         force, K = found
         left, sizes, right = np.linalg.svd(K)
         resisted = sizes > NEUTRAL * max(1.0, sizes[0])
-        there = statics.moved(b, -right[resisted].T @ (left[:, resisted].T @ force / sizes[resisted]))
-        if not there.residual < 0.9 * b.residual:
+        there = within_reach(statics, b, -right[resisted].T @ (left[:, resisted].T @ force / sizes[resisted]))
+        if there is None or not there.residual < 0.9 * b.residual:
             break
         b = there
     return b

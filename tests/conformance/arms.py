@@ -49,15 +49,16 @@ FALLING = FRICTION | {"stribeck": {"static": 1.1, "velocity": 0.7}} | BEND
 DRIVES: dict[str, dict] = {
     "rotor": ROTOR,
     "elastic gear": ROTOR | GEAR,
-    "friction": {"friction": FALLING},
-    "geared friction": ROTOR | GEAR | {"friction": FRICTION | BEND},
-    "loaded friction": ROTOR | GEAR | {"friction": FALLING | {"load": 0.4}},
-    "bristles": {"friction": BRISTLES | BEND},
-    "cylinder": {"ratio": 30.0, "rotor_inertia": 2e-3, "friction": FALLING, "transmission": TRANSMISSIONS["cylinder"]},
-    "four-bar": ROTOR | {"friction": FRICTION, "transmission": TRANSMISSIONS["four-bar"]},
+    "cylinder": {"ratio": 30.0, "rotor_inertia": 2e-3, "transmission": TRANSMISSIONS["cylinder"]},
+    "four-bar": ROTOR | {"transmission": TRANSMISSIONS["four-bar"]},
     "elastic cylinder": {"ratio": 30.0, "rotor_inertia": 2e-3, "stiffness": 4e3, "damping": 9.0}
     | {"transmission": TRANSMISSIONS["cylinder"]},
     "elastic four-bar": ROTOR | GEAR | {"transmission": TRANSMISSIONS["other branch"]},
+}
+FRICTIONS: dict[str, dict] = {
+    "friction": FALLING,
+    "loaded friction": FALLING | {"load": 0.4},
+    "bristles": BRISTLES | BEND,
 }
 EFFORT, ENOUGH = 6.0, 500.0
 """Limits of efforts: that of the fore's axis, which the judge's state is beyond, and one that nothing reaches."""
@@ -82,6 +83,8 @@ FORCES: dict[str, dict] = {
             {"name": "strap", "between": ["fore.tip", "boom.eye"], "line": RELAXING},
         ]
     },
+}
+PUSHES: dict[str, dict] = {
     "push": {"pushes": [{"name": "shove", "at": "boom.eye"}]},
     "marker push": {"pushes": [{"name": "tool", "at": "fore.tip", "axes": "marker"}]},
 }
@@ -107,7 +110,7 @@ def arm_of(row: Row) -> dict:
         robot["couplings"] = [{"axis": "hand.joint[1]", "of": _leader(row), "ratio": -0.7, "offset": 0.2}]
     if row["closing"] in LOOPS:
         robot["links"].append(_post(row))
-    return robot | copy.deepcopy(FORCES.get(row["force"], {}))
+    return robot | copy.deepcopy(FORCES.get(row["force"], {}) | PUSHES.get(row["push"], {}))
 
 
 PLACES = ("at", "from", "to", "axes", "length", "frame_at", "mount", "transmission", "couplings", "loops")
@@ -184,7 +187,7 @@ def _boom(row: Row) -> dict:
         boom["joint"]["brake"] = [{"inertia": 0.4, "time": 0.06} for _ in boom["joint"]["axes"]]
     if row["more"] == "markers":
         boom["markers"] = [{"name": "lug", "at": 0.45}]
-    if "boom.eye" in str(FORCES.get(row["force"])):
+    if "boom.eye" in str([FORCES.get(row["force"]), PUSHES.get(row["push"])]):
         boom["markers"] = [*boom.get("markers", []), {"name": "eye", "at": 0.6}]
     return boom
 
@@ -205,9 +208,11 @@ def _fore(row: Row) -> dict:
     if row["tendon"] == "shared tendon":
         fore["tendons"] = [{"name": "flexor", "to": 0.6, "at": [[0.0, -0.02, 0.01], [0.0, 0.02, 0.01]]}]
     joint: dict = {"axes": ["y"], "mount": {"xyz": [0.02, 0.03, -0.05], "rpy": [0.3, 0.1, -0.2]}}
-    drive = DRIVES.get(row["drive"])
+    drive = copy.deepcopy(DRIVES.get(row["drive"], {}))
+    if row["friction"] in FRICTIONS:
+        drive["friction"] = copy.deepcopy(FRICTIONS[row["friction"]])
     if drive:
-        joint["drives"] = [copy.deepcopy(drive)]
+        joint["drives"] = [drive]
     match row["axis"]:
         case "spring":
             joint["elements"] = [{"spring": {"stiffness": 25.0, "rest": 0.3}}]
@@ -218,10 +223,10 @@ def _fore(row: Row) -> dict:
         case "given motion":
             joint["actuation"] = "motion"
         case "brakes":
-            joint["brake"] = {"inertia": 4e-3 if "stiffness" in (drive or {}) else 0.3, "time": 0.05}
+            joint["brake"] = {"inertia": 4e-3 if "stiffness" in drive else 0.3, "time": 0.05}
         case "passive":
             joint |= {"damping": [0.3], "stiffness": [12.0]}
-            joint |= {} if drive and "rotor_inertia" in drive else {"armature": [0.06]}
+            joint |= {} if "rotor_inertia" in drive else {"armature": [0.06]}
     return fore | {"joint": joint}
 
 

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import numpy as np
+from oracle_drives import Drives
 
 
 class Bristles:
-    """``places``: of the oracle's coordinates on which bristles act; ``tables``: what the robot file states of each."""
+    """``places``: of the oracle's coordinates on which bristles act, behind an elastic gear the rotor's; ``tables``:
+    what the robot file states of each."""
 
-    def __init__(self, robot: dict, axes: dict[str, int]):
+    def __init__(self, robot: dict, axes: dict[str, int], drives: Drives):
         self.places, self.tables = [], []
         for link in robot["links"]:
             for k, drive in enumerate(link["joint"].get("drives", [])):
                 if "memory" in drive.get("friction", {}):
                     names = [name for name in axes if name.split(".")[0].removesuffix("_0") == link["name"]]
-                    self.places.append(axes[names[k]])
+                    axis = axes[names[k]]
+                    self.places.append(drives.gear(len(axes), axis) if axis in drives.rotors else axis)
                     self.tables.append(drive["friction"])
         self.z = np.zeros(len(self.places))
 

@@ -58,14 +58,16 @@ FACTORS: dict[str, dict[str, str]] = {
         "none": "",
         "rotor": "a rigid gear with a rotor",
         "elastic gear": "an elastic gear",
-        "friction": "dry and viscous friction of a drive, which falls and bends",
-        "geared friction": "friction behind an elastic gear, dry, viscous and with a bend",
-        "loaded friction": "friction behind an elastic gear that grows with its load, and falls",
-        "bristles": "friction that remembers, an internal state",
         "cylinder": "a cylinder",
         "four-bar": "a four-bar linkage",
         "elastic cylinder": "a cylinder behind an elastic gear",
         "elastic four-bar": "a four-bar linkage behind an elastic gear",
+    },
+    "friction": {
+        "smooth": "",
+        "friction": "dry and viscous friction of a drive, which falls and bends",
+        "loaded friction": "friction behind an elastic gear that grows with its load",
+        "bristles": "friction that remembers, an internal state",
     },
     "axis": {
         "free": "",
@@ -90,6 +92,9 @@ FACTORS: dict[str, dict[str, str]] = {
         "rope": "a rope from a point of the world to a tip",
         "bushing": "a bushing between a place along a link and a tip",
         "winch": "a line whose rest length a winch changes, by inputs, beside one that relaxes, an internal state",
+    },
+    "push": {
+        "unpushed": "",
         "push": "a wrench from outside in world axes, at a place along a link",
         "marker push": "a wrench from outside in the axes of a tip, beside that of the link",
     },
@@ -121,6 +126,12 @@ IMPOSSIBLE: dict[tuple[str, str], str] = {
     ("profile", "frequencies"): "measured frequencies take the place of stiffness, which a profile states",
     **{("afloat", turn): NO_JOINT for turn in list(FACTORS["turn"])[1:]},
     **{("ball", drive): BESIDE_BALLS for drive in list(FACTORS["drive"])[1:]},
+    **{("ball", friction): BESIDE_BALLS for friction in list(FACTORS["friction"])[1:]},
+    **{
+        (drive, "loaded friction"): "only the stretch of an elastic gear tells its load"
+        for drive in ("rotor", *TRAVELS)
+    },
+    **{(drive, "bristles"): "bristles are not known behind transmissions yet" for drive in TRAVELS},
     **{(drive, "given motion"): "the input of a transmission is its force" for drive in TRAVELS},
     **{(drive, "brakes"): "brakes are not known behind such gears" for drive in TRAVELS[2:]},
     **{("ball", axis): BESIDE_BALLS for axis in ("spring", "stops", "limited")},
@@ -133,22 +144,13 @@ BUILT_OTHERWISE: dict[tuple[str, str], str] = {
 }
 """Pairs that the two links of the matrix leave no place for; another robot may have them."""
 
-APART: dict[tuple[str, str], dict[str, str]] = {
-    ("second order", "flat"): {"turn": "three axes", "fore": "rod", "tendon": "tendon", "damping": "ratio"},
-}
-"""Pairs that stand in a row of their own, with its other levels: with them the array would choose all rows anew."""
+LATER: dict[str, str] = {}
+"""Levels with rows of their own, by factor: those that came after the array was chosen, whose rows would all change."""
 
-LATER: dict[str, str] = {
-    "loaded friction": "drive",
-    "bristles": "drive",
-    "given motion": "axis",
-    "brakes": "axis",
-    "winch": "force",
-    "moving": "base",
+NEEDS: dict[str, tuple[str, ...]] = {
+    "shared tendon": ("rod", "curved fore"),
+    "loaded friction": ("elastic gear",),
 }
-"""Levels with rows of their own, by factor: in the array with the others they would choose all rows anew."""
-
-NEEDS: dict[str, tuple[str, ...]] = {"shared tendon": ("rod", "curved fore")}
 """What a level needs one of."""
 
 
@@ -167,7 +169,7 @@ def conditions() -> list[dict]:
     is_ = lambda level: {"operator": "eq", "left": FACTOR_OF[level], "value": level}  # noqa: E731
     never = [
         {"operator": "not", "condition": {"operator": "and", "conditions": [is_(a), is_(b)]}}
-        for a, b in (*IMPOSSIBLE, *BUILT_OTHERWISE, *APART)
+        for a, b in (*IMPOSSIBLE, *BUILT_OTHERWISE)
     ]
     needs = [
         {"operator": "or", "conditions": [{"operator": "not", "condition": is_(level)}, *map(is_, needed)]}

@@ -139,7 +139,7 @@ TABLE: list[Mutant] = [
       "work->f_eta + ($$_NGIVEN - $$_NMODES));\n", ""),
     M("elastic four-bar", "C, float", "screwgen/elements/four_bar.py",
       "slope = 2.0 * self.side * turn / H", "slope = 2.0 * turn / H"),
-    M("geared friction", "lanes", C + "batch.c.jinja",
+    M("elastic gear", "lanes", C + "batch.c.jinja",
       '    {{ add_axis_terms("&g->c", "dt", "s", "there", "g->work.m_eta", "g->work.f_eta", "drives") }}\n', ""),
     M("shear", "lanes", C + "batch.c.jinja",
       "    couple(&g->c, dt, s->q + ($$_NQ - $$_NMODES), s->v + ($$_NV - $$_NMODES), g->work.m_eta + $$_NGIVEN, "
@@ -272,7 +272,7 @@ TABLE: list[Mutant] = [
       "self.tau = self.holding.held(q.tolist(), v.tolist(), self.given)", "pass"),
     # ----------------------------------------------------------------------------------- friction that falls, bends
     M("cylinder", "C, fused", "screwgen/backends/c/laws.py", "{*chain.laws, *frictions}", "{*chain.laws}"),
-    M("geared friction", "judge", "screwgen/spec/drive_class.py",
+    M("loaded friction", "judge", "screwgen/spec/drive_class.py",
       "        if self.bend:\n", "        if self.bend and not self.elastic:\n"),
     M("friction", "document", "screwgen/elements/friction.py", "{dry}{bend}", "{dry}"),
     M("loaded friction", "derivatives", ALGORITHMS + "linearise.py",

@@ -28,8 +28,10 @@ from conformance.twin import first_piece
 CONDITION = 1e8
 DEFINITE = 1e-5
 """The least eigenvalue of a mass matrix whose diagonal is scaled to one."""
-QUICK = 2e5
-"""The largest acceleration of a joint, rad/s^2 or m/s^2: a step of 1 ms moves it by 0.1."""
+QUICK = 1e5
+"""The largest acceleration of a joint, rad/s^2 or m/s^2: a run of 6 ms moves it by 1.8."""
+RUN = 6e-3
+"""s: as long as runs of the checks take."""
 PARTS = ("base", "joints", "rotors", "modes", "internal")
 
 
@@ -45,7 +47,7 @@ class Judge:
         self.rows = Loops(oracle, twin) if {"loops", "couplings"} & set(twin) else None
         if self.rows is not None:
             self.state["v"] = self.rows.moving(self.state["q"], self.state["v"])
-        self.bristles = Bristles(robot, axes_of(twin))
+        self.bristles = Bristles(robot, axes_of(twin), oracle.drives)
         self.tensions, self.outer = np.zeros(len(self.tendon_lengths)), Outer(robot, twin, oracle)
         self.closed = np.zeros(len(self.brakes))
         self.pushes = np.zeros((len(self.outer.rows), 6))
@@ -54,13 +56,22 @@ class Judge:
 
     @property
     def regular(self) -> bool:
-        q = self.state["q"]
+        """Whether a run can start here: what is solved for is well determined, nothing is quick, and links of second
+        order do not bend too far on the way."""
+        q, v = self.state["q"], self.state["v"]
+        if not self._definite(q) or np.linalg.cond(self.oracle.mass_matrix(q)) >= CONDITION:
+            return False
+        if self.rows is not None and self.rows.condition(q) >= CONDITION:
+            return False
+        if np.abs(self.vdot[: self.oracle.n_joint]).max(initial=0.0) >= QUICK:
+            return False
+        return self._definite(q + RUN * v + RUN**2 / 2 * self.motion[0])
+
+    def _definite(self, q: np.ndarray) -> bool:
+        """Whether the mass matrix is positive definite there."""
         M = self.oracle.mass_matrix(q)
         sizes = np.sqrt(np.abs(np.diag(M)))
-        definite = np.linalg.eigvalsh(M / np.outer(sizes, sizes))[0] > DEFINITE and np.linalg.cond(M) < CONDITION
-        if not (definite and (self.rows is None or self.rows.condition(q) < CONDITION)):
-            return False
-        return bool(np.abs(self.vdot[: self.oracle.n_joint]).max(initial=0.0) < QUICK)
+        return bool(np.linalg.eigvalsh(M / np.outer(sizes, sizes))[0] > DEFINITE)
 
     @cached_property
     def condition(self) -> float:

@@ -64,6 +64,17 @@ REFUSALS: tuple[Refusal, ...] = (
         why="without gravity the rope bends a link of second order farther than its model goes",
         large=True,
     ),
+    *(
+        Refusal(
+            check,
+            (x,),
+            "no posture found balances its load",
+            "loads pull a linkage to the end of its reach",
+            large=True,
+        )
+        for check in ("equilibrium", "modes")
+        for x in ("four-bar", "elastic four-bar")
+    ),
     Refusal("equilibrium", ("ball",), "there is no equilibrium yet", "the search adds coordinates, quaternions do not"),
 )
 

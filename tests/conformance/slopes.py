@@ -185,8 +185,8 @@ def independent(case: Case, linear, q: np.ndarray, v: np.ndarray, h: float = 1e-
 
     steps = [
         np.array([(accelerations(t * e) - accelerations(-t * e)) / (2 * t) for e in np.eye(len(linear.A))]).T
-        for t in (h, h / 2, h / 4, h / 8)
+        for t in (h, h / 4, h / 16, h / 64)
     ]
-    once = [(4 * fine - coarse) / 3 for coarse, fine in itertools.pairwise(steps)]
+    once = [(16 * fine - coarse) / 15 for coarse, fine in itertools.pairwise(steps)]
     settled = min(itertools.pairwise(once), key=lambda pair: np.abs(pair[1] - pair[0]).max())[1]
     near(linear.A[half:], settled, max(1e-6, case.tolerance / h), "A")

@@ -21,8 +21,16 @@ from conformance.table import page
 ROWS = covering()
 SHORT = [ROWS.index(row) for row in few()]
 DRAWN = random_rows(48)
-LONG = ("JAX, gradients", "mock-up unit", "C folder", "commands", "derivatives by parameters")
-"""Checks that take so long that they try each feature, but not each pair."""
+LONG = (
+    "JAX, gradients",
+    "mock-up unit",
+    "C folder",
+    "commands",
+    "derivatives by parameters",
+    "C, float",
+    "lanes, float",
+)
+"""Checks that try each feature, but not each pair: they take long, or compile a text again in another precision."""
 QUICK = tuple(name for name in CHECKS if name not in LONG)
 SOME = ("judge", "DAE form", "CasADi", "C, fused", "derivatives of steps", "document")
 OTHERS = [(k, name) for k in range(len(ROWS)) for name in QUICK if k not in SHORT]

@@ -12,7 +12,7 @@ from screwgen.simulation.controllers import Holding
 from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.parameter_estimator import ParameterEstimator, ParameterState
 
-PAYLOAD, STIFFNESS = "rod.bodies[0].mass", "rod.EIz"
+PAYLOAD, STIFFNESS, UPPER = "rod.bodies[0].mass", "rod.EIz", "rod.joint.limits[0].upper"
 ENCODER, GAUGE, FIBRE = 1e-4, 1e-6, 0.013
 NOISE = Noise(density_v=1e-7, encoder=ENCODER, strain=GAUGE, fibre=FIBRE)
 
@@ -191,6 +191,26 @@ def test_numbers_that_decide_what_a_step_holds_are_refused():
         for x in (1.0 - 1e-6, 1.0 + 1e-6)
     )
     assert slope[:, 0] == pytest.approx((high - low) / 2e-6, rel=1e-6) and slope[0, 0] > 1.0
+
+
+def stopped() -> screwgen.Model:
+    """A rod at a stop, whose range is narrow."""
+    limits = {"lower": 0.9, "upper": 1.0, "stiffness": 100.0, "damping": 1.0}
+    link = {"name": "rod", "length": 0.5, "bodies": [{"at": "tip", "mass": 1.0}]}
+    return model_of(arm(link | {"joint": {"axes": ["z"], "limits": [limits]}}))
+
+
+def test_an_update_whose_parameters_no_robot_has_changes_nothing():
+    """A hard push back from the stop says that it begins below the other one."""
+    found = ParameterEstimator(stopped(), [ParameterState(UPPER, 0.1)], measurements=["acceleration"])
+    found.start([1.1], [0.0], 1e-3, 1e-3, Noise(1e-3, acceleration=1e-3))
+    before = [*found.state, found.covariance, found.values]
+    with pytest.raises(UsageError, match="must be less than rod"):
+        found.update([0.0], np.zeros((1, 6)), acceleration=[0.0, -80.0, 9.81])
+    assert np.array_equal(np.hstack(found.state), np.hstack(before[:2])) and found.values == before[3]
+    assert np.array_equal(found.covariance, before[2])
+    found.update([0.0], np.zeros((1, 6)), acceleration=[0.0, -22.0, 9.81])
+    assert found.values[UPPER] < before[3][UPPER]
 
 
 def test_loops_are_refused():

@@ -24,7 +24,7 @@ from ..errors import UsageError
 from ..ir.program import Program
 from ..lazily import linalg
 from ..robot_model import RobotModel
-from .estimator import Compared, Estimator
+from .estimator import AtParameters, Compared, Estimator
 
 
 @dataclass(frozen=True)
@@ -105,7 +105,7 @@ class ParameterEstimator(Estimator):
 
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None:
         super()._start(q, v, deviation_q, deviation_v)
-        self._set_parameters(self._begin)
+        self._take(self._with_values(self._begin))
         self._P = self._with_parameters(self._P)
 
     def _with_parameters(self, P: np.ndarray) -> np.ndarray:
@@ -157,11 +157,11 @@ class ParameterEstimator(Estimator):
         what = Differentiable.of(chain, row.of(chain))
         return self.model.once(("along", row.name, tuple(self._places)), lambda: along(chain, what, self._places))
 
-    def _learn(self, change: np.ndarray) -> None:
-        """The parameters of an update, within their bounds."""
-        self._set_parameters(np.clip(self._p[self._places] + change, self._low, self._high))
+    def _learnt(self, change: np.ndarray) -> AtParameters:
+        """The model at the parameters of an update, within their bounds."""
+        return self._with_values(np.clip(self._p[self._places] + change, self._low, self._high))
 
-    def _set_parameters(self, values: np.ndarray) -> None:
+    def _with_values(self, values: np.ndarray) -> AtParameters:
         p = self._p.copy()
         p[self._places] = values
-        self._at_parameters(p)
+        return self._at_parameters(p)

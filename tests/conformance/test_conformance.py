@@ -21,7 +21,10 @@ from conformance.table import page
 ROWS = covering()
 SHORT = [ROWS.index(row) for row in few()]
 DRAWN = random_rows(48)
-LONG = ("JAX, gradients", "mock-up unit", "C folder", "commands", "derivatives by parameters")
+LONG = (
+    *("JAX, gradients", "mock-up unit", "C folder", "commands", "derivatives by parameters"),
+    "estimator of parameters",
+)
 """Checks that take so long that they try each feature, but not each pair."""
 QUICK = tuple(name for name in CHECKS if name not in LONG)
 SOME = ("judge", "DAE form", "CasADi", "C, fused", "derivatives of steps", "document")

@@ -123,6 +123,7 @@ class Model(RobotModel):
         mpc: str | os.PathLike | None = None,
         outputs: bool = False,
         by_p: str | Sequence[str] = (),
+        estimate: str | Sequence[str] = (),
     ) -> list[str]:
         """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
 
@@ -138,7 +139,8 @@ class Model(RobotModel):
         that do not follow from another; ``methods``: integrators for the C beside the built-in ones; ``mpc``: the file
         of a predictive controller; ``outputs``: also C of what runs report and sensors measure, and of units these
         as outputs; ``by_p``: names of parameters, or patterns as ``arm.*``: also C of the derivatives of dynamics,
-        outputs and steps by these.  Writes all or nothing; refuses folders with other files (:class:`UsageError`).
+        outputs and steps by these; ``estimate``: such names: a filter that also finds these parameters.  Writes all or
+        nothing; refuses folders with other files (:class:`UsageError`).
         """
         options: dict[str, Any] = {"parameters": parameters, "layout": layout, "methods": methods}
         more: dict[str, Any] = {
@@ -148,6 +150,7 @@ class Model(RobotModel):
             "mpc": mpc,
             "outputs": outputs,
             "by_p": by_p,
+            "estimate": estimate,
         }
         check_folder(Path(folder))
         makers = {

@@ -5,11 +5,11 @@
  *   figure NAME NANOMETRES   the deflection of the tip and the errors of the estimates, root of the mean square
  */
 #include <math.h>
-#include <stdint.h>
 #include <string.h>
 
 #include "instruments.h"
 #include "model.h"
+#include "noise.h"
 #include ESTIMATOR_HEADER
 
 enum {
@@ -33,19 +33,6 @@ static M(estimator) filter;
 static M(estimator_work) scratch;
 static M(measurement) measured;
 static M(state) truth, open_loop;
-
-/* Noise with deviation 1: the sum of twelve even numbers, less six. */
-static real noise(void)
-{
-    static uint32_t seed = 1;
-    real sum = -6;
-    int k;
-    for (k = 0; k < 12; ++k) {
-        seed = seed * 1664525u + 1013904223u;
-        sum += (real)(seed >> 8) / (real)16777216;
-    }
-    return sum;
-}
 
 static int prepare(void)
 {

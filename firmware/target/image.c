@@ -1,7 +1,8 @@
 /* image.c: the smallest firmware that uses the model; its sections are the table's flash and RAM.
  *
  * It calls the whole joint form: parameters, forward dynamics, every integrator. With -DDAE_FORM the DAE form as well,
- * with -DESTIMATOR_HEADER="ella_estimator.h" the Kalman filter, with -DMPC_HEADER="ella_mpc.h" predictive control.
+ * with -DESTIMATOR_HEADER="ella_estimator.h" the Kalman filter, also with -DFINDS that of parameters, with
+ * -DMPC_HEADER="ella_mpc.h" predictive control.
  * All memory of the model is static here, so that .bss is what a caller needs.
  */
 #include "model.h"
@@ -61,7 +62,11 @@ int main(void)
 #endif
 #ifdef ESTIMATOR_HEADER
         case 34:
+#ifdef FINDS
+            (void)M(estimator_init)(&parameters, &state, &state, &estimator, state.q);
+#else
             (void)M(estimator_init)(&parameters, &state, &state, &estimator);
+#endif
             break;
         case 35:
             (void)M(estimator_predict)(&constants, &estimator, &input, dt, &estimator_work);

@@ -222,10 +222,22 @@ class Comparison(NamedTuple):
     entry those in its span. ``by_vdot`` (n, nvz), row by row: those with the accelerations, if these are among the
     inputs."""
     spans: list[tuple[int, int]]
-    """Of every entry where its derivatives begin in [δq; δv], and how many there are; others are zero."""
+    """Of every entry where its derivatives begin in [δq; δv; …], and how many there are; others are zero."""
 
 
-def comparison(row: Measurement, chain: Chain, constants: str = "parameters") -> Comparison:
+class Further(NamedTuple):
+    """Derivatives of what is expected with entries of a filter's state behind [q; v]."""
+
+    inputs: Mapping[str, int]
+    """The lengths of the inputs that they read besides."""
+    columns: Callable[[Functions, Mapping[str, Sequence[Value]], Sequence[Value]], Columns]
+    """Of functions, inputs and what is expected, a column for each entry."""
+
+
+NOTHING = Further({}, lambda f, x, expected: [])
+
+
+def comparison(row: Measurement, chain: Chain, constants: str = "parameters", further: Further = NOTHING) -> Comparison:
     """Of a row that has entries, for a robot. ``constants`` as :func:`.fused.fuse` has them."""
     given = inputs(chain, row.inputs) | {number.keyword: number.size(chain) for number in row.numbers}
     spans: list[tuple[int, int]] = []
@@ -236,13 +248,14 @@ def comparison(row: Measurement, chain: Chain, constants: str = "parameters") ->
         by_q, by_v, by_vdot = row.slopes(f, own, expected)
         n = row.size(chain)
         still = [[0.0] * n for _ in range(chain.nvz)]
-        rows = list(zip(*(by_q or still[: chain.nv]), *(by_v or still), strict=True))
-        spans.extend((0, chain.n_changes) if by_vdot else _span(entries) for entries in rows)
+        more = further.columns(f, x, expected)
+        rows = list(zip(*(by_q or still[: chain.nv]), *(by_v or still), *more, strict=True))
+        spans.extend((0, chain.n_changes + len(more)) if by_vdot else _span(entries) for entries in rows)
         inside = [v for (first, size), row in zip(spans, rows, strict=True) for v in row[first : first + size]]
         out = {"rest": row.innovation(x["measured"], expected), "rows": inside}
         return out | ({"by_vdot": [v for row in zip(*by_vdot, strict=True) for v in row]} if by_vdot else {})
 
-    sizes = given | {"measured": row.n_values(chain)}
+    sizes = given | {"measured": row.n_values(chain), **further.inputs}
     return Comparison(fuse(chain, row.name, sizes, body, constants, algorithms=row.algorithms), spans)
 
 

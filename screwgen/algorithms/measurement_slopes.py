@@ -10,7 +10,8 @@ from ..spec.parameters import parameters
 from ..topology.chain import Chain
 from .functions import Functions
 from .fused import Outputs, fuse, inputs
-from .measurement import Measurement
+from .measurement import Columns, Further, Measurement
+from .parameter_slopes import ConstantSlopes
 
 
 def expected_along(row: Measurement, chain: Chain, chosen: Sequence[int]) -> Program:
@@ -32,3 +33,14 @@ def expected_along(row: Measurement, chain: Chain, chosen: Sequence[int]) -> Pro
     sizes = given | {"measured": row.n_values(chain), "p": len(parameters(chain.robot))}
     sizes |= {f"d_{name}": len(own) for name, own in moved.items()}
     return fuse(chain, f"{row.name}_along", sizes, body, algorithms=row.algorithms)
+
+
+def by_chosen(row: Measurement, chosen: Sequence[int], slopes: ConstantSlopes) -> Further:
+    """The derivatives of what is expected with chosen parameters, at prepared constants and numbers of the sensor."""
+
+    def columns(f: Functions, x: Mapping[str, Sequence[Value]], expected: Sequence[Value]) -> Columns:
+        rest, own = row.innovation(x["measured"], expected), {n.name: x[n.keyword] for n in row.numbers}
+        ways = [slopes.along(f, k, number, x["slope"], own) for k, number in enumerate(chosen)]
+        return [[-slope for slope in tangents(rest, way)] for way in ways]
+
+    return Further({"slope": slopes.count}, columns)

@@ -72,23 +72,32 @@ def _split(values: Sequence[Value], what: Differentiable) -> Iterator[tuple[str,
 
 @dataclass(frozen=True)
 class ConstantSlopes:
-    """The derivatives of the constants of all links with chosen parameters.
+    """The derivatives of the constants of all links with chosen parameters, and of what sensors derive from parameters.
 
     ``program``: ``(p) -> (slope)`` of those that are no numbers. ``seeds``: for each chosen parameter the derivative of
     every entry of a constant that it changes, by link, name and number: a number, or a place in ``slope``, an int.
+    Numbers of sensors stand behind the last link.
     """
 
     program: Program
     seeds: list[dict[tuple[int, str, int], float | int]]
 
     @classmethod
-    def of(cls, chain: Chain, chosen: Sequence[int], algorithms: Sequence[Algorithm]) -> ConstantSlopes:
-        """By the chosen parameters, of the constants that these algorithms read."""
+    def of(
+        cls,
+        chain: Chain,
+        chosen: Sequence[int],
+        algorithms: Sequence[Algorithm],
+        derived: Mapping[str, Callable[[Chain, Sequence[Value]], Sequence[Value]]] | None = None,
+    ) -> ConstantSlopes:
+        """By the chosen parameters, of the constants that these algorithms read, and of ``derived`` numbers by name."""
         seeds: list[dict[tuple[int, str, int], float | int]] = []
 
         def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> Outputs:
-            places = [(i, n, k) for i, own in enumerate(f.constants) for n, v in own.items() for k in range(len(v))]
-            values = [f.constants[i][n][k] for i, n, k in places]
+            sensed = {name: start(chain, x["p"]) for name, start in (derived or {}).items()}
+            read: list[Mapping[str, Sequence[Value]]] = [*f.constants, sensed]
+            places = [(i, n, k) for i, own in enumerate(read) for n, v in own.items() for k in range(len(v))]
+            values = [read[i][n][k] for i, n, k in places]
             slopes: dict[Node, int] = {}
             for p in (x["p"][k] for k in chosen):
                 found = zip(places, tangents(values, {p: 1.0} if isinstance(p, Node) else {}), strict=True)
@@ -112,21 +121,34 @@ class ConstantSlopes:
     def by_parameters(self, chain: Chain, what: Differentiable, chosen: Sequence[int]) -> Program:
         """``(inputs, constants, slope) -> (results_by_p)``: the last index of each is that of the chosen parameter."""
 
-        places = list(world(chain, range(len(parameters(chain.robot)))))
-
         def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> Outputs:
             found = what.body(f, x)
             values, columns = [value for name in what.results for value in found[name]], []
-            for number, own in zip(chosen, self.seeds, strict=True):
-                way = {f.constants[i][n][k]: _slope(s, x["slope"]) for (i, n, k), s in own.items()}
-                way |= {f.world[places.index(number)]: 1.0} if number in places else {}
+            for k, number in enumerate(chosen):
                 with f.section(f"by {parameters(chain.robot)[number].name}"):
-                    columns.append(dict(_split(tangents(values, way), what)))
+                    columns.append(dict(_split(tangents(values, self.along(f, k, number, x["slope"])), what)))
             return {n + BY_P: [x for row in zip(*(c[f"d_{n}"] for c in columns), strict=True) for x in row]
                     for n in what.results}  # fmt: skip
 
         given = {**what.inputs, "slope": self.count}
         return fuse(chain, what.name + BY_P, given, body, "constants", algorithms=what.algorithms)
+
+    def along(
+        self,
+        f: Functions,
+        chosen: int,
+        number: int,
+        slope: Sequence[Value],
+        derived: Mapping[str, Sequence[Value]] | None = None,
+    ) -> dict[Node, Value]:
+        """How what ``f`` reads changes with a chosen parameter, the robot's ``number``; and ``derived`` numbers."""
+        read: list[Mapping[str, Sequence[Value]]] = [*f.constants, derived or {}]
+        places = list(world(f.chain, range(len(parameters(f.chain.robot)))))
+        way: dict[Node, Value] = {f.world[places.index(number)]: 1.0} if number in places else {}
+        for (i, n, k), seed in self.seeds[chosen].items():
+            if n in read[i] and isinstance(constant := read[i][n][k], Node):
+                way[constant] = _slope(seed, slope)
+        return way
 
 
 def _slope(seed: float | int, slopes: Sequence[Value]) -> Value:

@@ -78,6 +78,9 @@ def generate(
     measure: Annotated[
         list[str] | None, typer.Option(metavar="NAME", help="What the filter is told, as gyro@boom.tip; again: more.")
     ] = None,
+    estimate: Annotated[
+        list[str] | None, typer.Option(metavar="NAME", help="A parameter that the filter finds, too; again: more.")
+    ] = None,
     outputs: Annotated[
         bool, typer.Option("--outputs", help="Also C of what runs report, such as energies, and sensors measure.")
     ] = False,
@@ -102,6 +105,7 @@ def generate(
 
     more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "outputs": outputs}
     said = {"measure": measure or (), "mpc": mpc, "functions": functions or None, "by_p": by_p or ()}
+    said["estimate"] = estimate or ()
     run_generate(robot, output, target, parameters, layout, quiet or context.obj, **said, **more)
 
 

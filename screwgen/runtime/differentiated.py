@@ -22,7 +22,7 @@ from ..topology.chain import Chain
 from .memory import Array, Memory, Real, pointer
 
 STATUS = ("ok", "non-finite input or result", "singular", "bad argument")
-NONFINITE, SINGULAR = 1, 2
+NONFINITE, SINGULAR, BAD_ARGUMENT = 1, 2, 3
 OUT_OF_REACH = "a linkage does not reach this posture; give an angle within its range"
 Derivatives = tuple[Array, Array, Array, Array]
 NO_METHOD = "in the generated C there is no integrator"

@@ -10,15 +10,18 @@ import numpy as np
 
 from ..algorithms.measurement import Measurement
 from ..arguments import Given
+from ..backends.c.parameters import place
 from ..backends.numpy.covariance import LOST, root
 from ..errors import DivergedError, SingularError, UsageError
 from ..robot_model import RobotModel
-from .differentiated import NONFINITE, SINGULAR, failure
+from ..spec.parameters import parameters
+from .differentiated import BAD_ARGUMENT, NONFINITE, SINGULAR, failure
 from .filtering import Judged, KalmanFilter
 from .lean import RuntimeProject
 from .library import load
 from .measurements import Consistency, Innovation, Measured, Noise, deviations, gate_name, numbers, of_rates
 from .memory import Real, StructMemory, pointer
+from .parameter_states import ParameterState, ParameterStates
 
 __all__ = ["CompiledEstimator", "Noise"]
 
@@ -31,9 +34,16 @@ WHOLE = ("refused", "beyond", "trial", "taken", "patience")
 """Members that are integers, beside flags."""
 
 
-def _members(model: RobotModel, rows: Sequence[Measurement]) -> dict[str, tuple[int, ...]]:
+REFUSED = "the update leads to parameters that no robot has; give the states bounds, lower and upper"
+PER_PARAMETER = {"density_p": "density", "lower": "lower", "upper": "upper"}
+"""Members of a filter of parameters that have an entry for each, and what of :class:`.ParameterStates` they are."""
+
+
+def _members(
+    model: RobotModel, rows: Sequence[Measurement], states: ParameterStates | None
+) -> dict[str, tuple[int, ...]]:
     """The members of a filter's memory that are read or written here, and their shapes."""
-    chain, n = model.chain, model.nv
+    chain, n, k = model.chain, model.nv, len(states.places) if states else 0
     out = {f"{state}.q": (model.nq,) for state in ("state", "estimator.state")} | {"deviation.q": (n,)}
     out |= {f"{state}.v": (chain.nvz,) for state in ("state", "deviation", "estimator.state")}
     for row in rows:
@@ -46,18 +56,31 @@ def _members(model: RobotModel, rows: Sequence[Measurement]) -> dict[str, tuple[
     out |= {f"estimator.{name}": (sizes.get(name, 1),) for name in OWN}
     out |= {f"estimator.innovations.{name}": (1,) for name in ("squared", "taken")}
     inputs: dict[str, tuple[int, ...]] = {"input.tau": (model.n_tau,), "input.w_ext": (model.n_links, 6)}
-    return out | inputs | {"estimator.P": (chain.n_changes, chain.n_changes)}
+    if states:
+        out |= {f"estimator.{name}": (k,) for name in PER_PARAMETER} | {"deviation_p": (k,)}
+        out |= dict.fromkeys(_places(model, states), (1,))
+    return out | inputs | {"estimator.P": (chain.n_changes + k, chain.n_changes + k)}
 
 
-def _files(model: RobotModel, rows: Sequence[Measurement], binding: str) -> dict[str, str]:
+def _places(model: RobotModel, states: ParameterStates) -> list[str]:
+    """The members that the parameters are which a filter finds."""
+    own = parameters(model.robot)
+    return [f"estimator.parameters.{place(own[k])}" for k in states.places]
+
+
+def _files(
+    model: RobotModel, rows: Sequence[Measurement], binding: str, states: ParameterStates | None
+) -> dict[str, str]:
     """The sources of an estimator."""
-    project = RuntimeProject(model.chain, model.version, binding, estimator=rows)
-    return project.files() | {"shim.c": project.shim("estimator_shim.c", list(_members(model, rows)))}
+    names = states.names if states else ()
+    project = RuntimeProject(model.chain, model.version, binding, estimator=rows, estimate=names)
+    return project.files() | {"shim.c": project.shim("estimator_shim.c", list(_members(model, rows, states)))}
 
 
 class CompiledEstimator(KalmanFilter):
     """``<robot>_estimator`` of the generated C. ``single``: in float; ``binding``, ``flags``, ``compiler``: of the C.
 
+    ``states``: parameters that it finds, too, as :class:`.ParameterEstimator` does.
     Raises :class:`ScrewgenError` where there is no C compiler; the rest as of :class:`.KalmanFilter`.
     """
 
@@ -70,13 +93,16 @@ class CompiledEstimator(KalmanFilter):
         flags: Sequence[str] = ("-O2",),
         compiler: str | None = None,
         measurements: Sequence[str | Measurement] | None = None,
+        states: Sequence[ParameterState] | None = None,
     ):
         super().__init__(model, parameters, measurements)
+        self.states = own = None if states is None else ParameterStates(model.chain, states, self._p)
         self.real, rows = np.float32 if single else np.float64, self.measurements
-        files = model.once(("estimator files", binding, rows), lambda: _files(model, rows, binding))
+        key = ("estimator files", binding, rows, tuple(own.names) if own else ())
+        files = model.once(key, lambda: _files(model, rows, binding, own))
         define = [f"-D{model.robot.name.upper()}_REAL_FLOAT"] if single else []
         self.library = load(files, [*flags, *define], compiler)
-        members = _members(model, rows)
+        members = _members(model, rows, own)
         self._block = StructMemory(self.library, list(members), np.dtype(self.real))
         self._memory = self._block.address
         self._at = {name: self._block.view(name, *shape, kind=self._kind(name)) for name, shape in members.items()}
@@ -84,7 +110,11 @@ class CompiledEstimator(KalmanFilter):
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None:
         self._write({"state.q": q, "state.v": v, "deviation.q": deviation_q, "deviation.v": deviation_v})
         p = np.append(self._p, 0.0).astype(self.real)
+        if self.states:
+            self._write({"deviation_p": self.states.deviation})
         self._check(self.library.shim_init(self._memory, pointer(p)), LOST)
+        if own := self.states:
+            self._write({f"estimator.{name}": getattr(own, of) for name, of in PER_PARAMETER.items()})
 
     def set(self, noise: Noise) -> None:
         super().set(noise)
@@ -106,7 +136,10 @@ class CompiledEstimator(KalmanFilter):
         self._write({"input.tau": tau, "input.w_ext": w_ext})
         for name, (values, made) in measured.items():
             self._write({f"measurement.{name}": np.nan_to_num(values), f"measurement.has_{name}": made})
-        self._check(self.library.shim_update(self._memory), LOST)
+        status = self.library.shim_update(self._memory)
+        if status == BAD_ARGUMENT and self.states:  # all else was checked
+            raise UsageError(REFUSED)
+        self._check(status, LOST)
         squared, taken = (self._at[f"estimator.innovations.{name}"][0] for name in ("squared", "taken"))
         found = {row.name: self._innovation(row, measured[row.name][1]) for row in self.measurements}
         return found, Consistency(float(squared), int(taken))
@@ -126,6 +159,9 @@ class CompiledEstimator(KalmanFilter):
     def covariance(self) -> np.ndarray:
         """``P`` of [q; v], (nv + nvz, nv + nvz); of the pose of a floating base that of a change [turn; shift]."""
         return self._at["estimator.P"].copy()
+
+    def _found_values(self) -> np.ndarray:
+        return np.hstack([self._at[name] for name in _places(self.model, self.states)]) if self.states else np.zeros(0)
 
     @property
     def fault(self) -> int:

@@ -11,6 +11,7 @@ import numpy as np
 from ..algorithms.measurement import Measurement
 from ..algorithms.measurement_names import chosen, measurement
 from ..arguments import Given, Loads, Numbers, array
+from ..errors import UsageError
 from ..robot_model import RobotModel
 from .measurements import (
     Consistency,
@@ -23,6 +24,7 @@ from .measurements import (
     checked_measurements,
     checked_start,
 )
+from .parameter_states import ParameterStates
 
 Judged = tuple[dict[str, Innovation], Consistency]
 """What an update made of the measurements."""
@@ -38,6 +40,9 @@ class KalmanFilter(ABC):
     :class:`SingularError` where a joint is singular or the covariance has lost its definiteness; then the estimate is
     as it was.
     """
+
+    states: ParameterStates | None = None
+    """The parameters of the robot that it finds; their rows of the covariance are behind those of v."""
 
     def __init__(self, model: RobotModel, parameters: Given, measurements: Sequence[str | Measurement] | None):
         self.model, self.measurements = model, _rows(model, measurements)
@@ -99,7 +104,23 @@ class KalmanFilter(ABC):
         """Set mean, q (nq,) and v (nvz,), and covariance (nv + nvz, nv + nvz)."""
         chain = self.model.chain
         n = chain.n_changes
+        if self.states:
+            raise UsageError("a filter of parameters is not put into a state; start it there")
         self._put(array(q, "q", (chain.nq,)), array(v, "v", (chain.nvz,)), array(P, "P", (n, n)))
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The values of the parameters that are found, by name."""
+        return self.states.named(self._found_values()) if self.states else {}
+
+    @property
+    def deviations(self) -> dict[str, float]:
+        """Their standard deviations."""
+        return self.states.deviations(self.covariance) if self.states else {}
+
+    def _found_values(self) -> np.ndarray:
+        """(k,): the values of the parameters that are found."""
+        return np.zeros(0)
 
     @abstractmethod
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None: ...

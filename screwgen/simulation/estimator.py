@@ -20,7 +20,7 @@ from ..backends.numpy import prescribed
 from ..backends.numpy.covariance import corrected, root
 from ..backends.numpy.covariance import deviations as of_innovations
 from ..backends.numpy.held import HeldChain
-from ..backends.numpy.numeric import EPSILON, function_of, singular
+from ..backends.numpy.numeric import EPSILON, Numeric, function_of, singular
 from ..errors import DivergedError, SingularError
 from ..ir.program import Program
 from ..robot_model import RobotModel
@@ -48,6 +48,15 @@ class Compared(NamedTuple):
     """(n,): what was measured less what the estimate says."""
 
 
+class AtParameters(NamedTuple):
+    """What a filter has of its robot at parameters ``p`` (n,)."""
+
+    p: np.ndarray
+    numeric: Numeric
+    stepper: JointStepper
+    chained: HeldChain | None
+
+
 class Estimator(KalmanFilter):
     """The filter in NumPy; arguments, results and errors as of :class:`.KalmanFilter`."""
 
@@ -56,16 +65,20 @@ class Estimator(KalmanFilter):
     ):
         super().__init__(model, parameters, measurements)
         chain = model.chain
-        self._at_parameters(self._p)
+        self._take(self._at_parameters(self._p))
         self._put(np.array(chain.home), np.zeros(chain.nvz), np.zeros((chain.n_changes, chain.n_changes)))
         self._judgements = self._none_yet()
 
-    def _at_parameters(self, p: np.ndarray) -> None:
-        """The model is that of parameters (n,) from now on."""
-        self._p, chain = p, self.model.chain
-        self._numeric, self._stepper = self.model.numpy(p), JointStepper(self.model, "modal_midpoint", p.tolist())
-        self._space, self._hold = self._stepper.space, self._stepper.hold
-        self._chained = HeldChain(chain, p) if chain.holds else None
+    def _at_parameters(self, p: np.ndarray) -> AtParameters:
+        """Of parameters (n,); raises UsageError where there is no such robot."""
+        chain, stepper = self.model.chain, JointStepper(self.model, "modal_midpoint", p.tolist())
+        return AtParameters(p, self.model.numpy(p), stepper, HeldChain(chain, p) if chain.holds else None)
+
+    def _take(self, at: AtParameters) -> None:
+        """The filter is that of these parameters from now on."""
+        self._at = at
+        self._p, self._numeric, self._stepper, self._chained = at
+        self._space, self._hold = at.stepper.space, at.stepper.hold
 
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None:
         q, v, _ = self._shut(self.model.chain.unit(q), v)
@@ -164,13 +177,15 @@ class Estimator(KalmanFilter):
             dx, S, squared = corrected(S, *(np.concatenate(x) for x in zip(*used, strict=True)))
             n, consistency = self.model.nv, Consistency(squared, sum(len(left) for _, left, *_ in used))
             dx, more = np.split(dx, [chain.n_changes])
+            learnt = self._learnt(more)
             self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], S @ S.T)
-            self._learn(more)
+            self._take(learnt)
         self._judgements |= judgements
         return found, consistency
 
-    def _learn(self, change: np.ndarray) -> None:
-        """What an update says of entries of the estimate behind [q; v]."""
+    def _learnt(self, change: np.ndarray) -> AtParameters:
+        """The model after an update that says so much of entries of the estimate behind [q; v]."""
+        return self._at
 
     def _none_yet(self) -> dict[str, np.ndarray]:
         """Of each measurement (2, entries): how often in a row beyond the gate, by how much the patience is less."""

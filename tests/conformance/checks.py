@@ -53,6 +53,9 @@ CHECKS: dict[str, Check] = {
     "estimator": Check(
         filtered.estimator, "the filter in C equals that in Python with every sensor, a prediction equals a step"
     ),
+    "estimator of parameters": Check(
+        filtered.parameters, "the filter in C that also finds numbers of the file equals that in Python"
+    ),
     "identification": Check(uses.identification, "a mass is found again from what a run records"),
     "equilibrium": Check(uses.equilibrium, "where it is found nothing accelerates"),
     "modes": Check(uses.modes, "frequencies and shapes with the joints locked and free"),

@@ -19,12 +19,12 @@ from conformance.twin import as_turns, first_piece
 
 def drawn(row: Row, robot: dict, seed: int = 0) -> Judge:
     """The robot of a row in a random state that is regular; a bridge that is as long as is needed closes a loop."""
-    for attempt in range(60):
+    for attempt in range(200):
         rng = np.random.default_rng([seed, attempt])
         found = _drawn(rng, row, copy.deepcopy(robot))
         if found.regular:
             return found
-    raise RuntimeError(f"no regular state of {dict(row)} in 60 draws")
+    raise RuntimeError(f"no regular state of {dict(row)} in 200 draws")
 
 
 def _drawn(rng, row: Row, robot: dict) -> Judge:

@@ -15,7 +15,9 @@ from screwgen.algorithms.measurements import AT_MARKERS, FURTHER
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.runtime.measurements import known
+from screwgen.runtime.parameter_states import ParameterState
 from screwgen.simulation.estimator import Estimator
+from screwgen.simulation.parameter_estimator import ParameterEstimator
 
 PERIOD = 2e-3
 
@@ -75,6 +77,31 @@ def estimator(case: Case) -> None:
         one, other = (e.innovations[name] for e in filters)
         assert relative(one.value, other.value) < 1e-6 and relative(one.normalised, other.normalised) < 1e-6, name
         alike(filters)
+
+
+def parameters(case: Case) -> None:
+    """The filter in C that also finds three numbers of the robot equals that in Python, whatever it is told."""
+    model, (q, v, tau, w_ext), names = case.model, case.given, everything(case)
+    rng, stated = (
+        np.random.default_rng(case.seed),
+        dict(zip(model.parameter_names, model.parameter_values, strict=True)),
+    )
+    offered = [name for name in rng.permutation(list(stated)) if stated[name] and not name.endswith(".effort")]
+    states = [ParameterState(name, 0.05 * abs(stated[name]), 0.01 * stated[name] ** 2) for name in offered[:3]]
+    own = ParameterEstimator(model, states, measurements=names)
+    filters = CompiledEstimator(model, flags=QUICK, measurements=names, states=states), own
+    noise, deviation = noise_of(case, own.measurements)
+    for e in filters:
+        e.start(q, v, deviation, 10 * deviation, noise)
+        e.predict(tau, w_ext, PERIOD)
+    alike(filters)
+    for row in own.measurements:
+        told = expected(case, row, own) * (1 + 1e-4 * rng.uniform(size=row.n_values(model.chain)))
+        for e in filters:
+            e.update(tau, w_ext, **{row.name: told})
+        alike(filters)
+        for name, value in own.values.items():
+            assert abs(filters[0].values[name] - value) <= 1e-6 * own.deviations[name], name
 
 
 def measured_by_functions(case: Case, e: Estimator) -> dict[str, np.ndarray]:

@@ -29,6 +29,10 @@ REFUSALS: tuple[Refusal, ...] = (
         Refusal("derivatives of wrenches", (x,), "those of robots with loops are not derived", "not derived for loops")
         for x in LOOPED
     ),
+    *(
+        Refusal("estimator of parameters", (x,), "there is no filter of parameters", "not derived for loops")
+        for x in LOOPED
+    ),
     Refusal(
         *("identification", (), "are not identified yet"),
         why="starts of windows would leave loops open, and bases that move as is given follow no reading",

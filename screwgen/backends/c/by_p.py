@@ -6,8 +6,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from ...algorithms.estimated_parameters import check_estimated
+from ...algorithms.measurement import Measurement
 from ...algorithms.parameter_slopes import BY_P, ConstantSlopes, Differentiable
 from ...algorithms.robot_function import RobotFunction
 from ...algorithms.robot_functions import BY_NAME, reported
@@ -23,6 +25,7 @@ from .outputs import count
 from .parameters import place as place_of
 from .pieces import piece_place, pieces
 from .stumpff_slopes import slopes as stumpff
+from .written import once
 
 FILES = ("by_p.h", "by_p.c")
 """The files that they add, without the robot's name; their templates have the same names."""
@@ -39,40 +42,102 @@ def rows(chain: Chain) -> tuple[RobotFunction, ...]:
     return BY_NAME["forward_dynamics"], *reported(chain)
 
 
-def algorithms(chain: Chain, chosen: Sequence[int]) -> tuple[Algorithm, ...]:
-    """Those that they run; none where no parameter is chosen."""
-    return (
-        ()
-        if not chosen
-        else tuple(dict.fromkeys(a for row in rows(chain) for a in Differentiable.of(chain, row).algorithms))
-    )
+@dataclass(frozen=True)
+class ParameterDerivatives:
+    """The parameters by which there are derivatives, and of what.
+
+    ``chosen``: their places; ``reported``: of dynamics, outputs and steps; ``measured``: what a filter is told that
+    finds these parameters, and needs the derivatives of accelerations alone; None where there is no such filter.
+    """
+
+    chosen: tuple[int, ...]
+    reported: bool
+    measured: tuple[Measurement, ...] | None
+
+    @property
+    def estimated(self) -> bool:
+        """Whether a filter finds them."""
+        return self.measured is not None
+
+    @property
+    def features(self) -> tuple[str, ...]:
+        """What they write in the files of a filter, as :class:`..templates.TemplatePlaces` finds it."""
+        return ("parameter_states",) * self.estimated
 
 
-def content(
-    chain: Chain, chosen: Sequence[int], baked: bool, place: Place, methods: Mapping[str, Method]
-) -> dict | None:
-    """The templates' context, None without parameters; ``place`` is that of the fused function."""
-    if not chosen:
-        return None
-    if baked:
+def algorithms(chain: Chain, asked: ParameterDerivatives) -> tuple[Algorithm, ...]:
+    """Those that the functions run which are differentiated; none where no parameter is chosen."""
+    if not asked.chosen:
+        return ()
+    whole = rows(chain) if asked.reported else rows(chain)[:1]
+    told = (a for row in asked.measured or () for a in row.algorithms)
+    return tuple(dict.fromkeys((*(a for row in whole for a in Differentiable.of(chain, row).algorithms), *told)))
+
+
+def slopes(chain: Chain, asked: ParameterDerivatives) -> ConstantSlopes:
+    """The derivatives of all constants that are read, and of numbers of sensors."""
+    derived = {n.name: n.start for row in asked.measured or () for n in row.numbers if callable(n.start)}
+    return ConstantSlopes.of(chain, asked.chosen, algorithms(chain, asked), derived)
+
+
+def asked(
+    chain: Chain,
+    by_p: str | Sequence[str],
+    estimate: str | Sequence[str],
+    measured: tuple[Measurement, ...],
+    baked: bool,
+) -> ParameterDerivatives:
+    """What names or patterns of parameters ask for: ``by_p`` for derivatives, ``estimate`` for a filter of them.
+
+    Raises UsageError where these are two sets, or no filter finds them, or parameters are baked.
+    """
+    chosen, found = chain.parameters.chosen(by_p), chain.parameters.chosen(estimate)
+    if baked and (chosen or found):
         raise UsageError('derivatives by parameters need parameters at run time; give parameters="runtime"')
-    slopes, own = ConstantSlopes.of(chain, chosen, algorithms(chain, chosen)), parameters(chain.robot)
-    by = By(chain, chosen, slopes, place)
-    made = [by.function(Differentiable.of(chain, row), _said(chain, row), row.about) for row in rows(chain)]
-    after = AFTER | ({"v_next": ("$$_NVZ", "rates and internal states")} if chain.n_internal else {})
-    made += [by.function(step(chain, methods[name]), after, f"A step of {name}.") for name in STEPS]
+    if chosen and found and chosen != found:
+        raise UsageError("by_p and estimate stand for different parameters; name the same ones, or leave by_p out")
+    if found:
+        check_estimated(chain, found)
+    return ParameterDerivatives(found or chosen, bool(chosen), measured if found else None)
+
+
+def content(chain: Chain, asked: ParameterDerivatives, place: Place, methods: Mapping[str, Method]) -> dict | None:
+    """The templates' context, None without parameters; ``place`` is that of the fused function."""
+    if not asked.chosen:
+        return None
+    by, own = By(chain, asked.chosen, once(slopes, chain, asked), place), parameters(chain.robot)
+    made = _reported(by, methods) if asked.reported else []
+    made += [_accelerations(by)] if asked.estimated else []
     say_time(chain, "derivatives by parameters", sum(one["operations"] for one in made))
     placed = lambda name, k: f"p->{place_of(own[k])}" if name == "p" else f"{SLOPES}->slope[{k}]"  # noqa: E731
     return {
         "part": "by_p",
         "functions": made,
         "kept": max(one["kept"] for one in made),
-        "prepare": pieces(slopes.program, piece_place(chain, f"{SLOPES}->kept", {}, placed), ("p", SLOPES)),
-        "count": max(slopes.count, 1),
-        "filled": slopes.count,
-        "names": [own[k].name for k in chosen],
+        "prepare": pieces(by.slopes.program, piece_place(chain, f"{SLOPES}->kept", {}, placed), ("p", SLOPES)),
+        "count": max(by.slopes.count, 1),
+        "filled": by.slopes.count,
+        "names": [own[k].name for k in asked.chosen],
         "stumpff": stumpff([one["program"] for one in made]),
     }
+
+
+def _reported(by: By, methods: Mapping[str, Method]) -> list[dict]:
+    """The derivatives of dynamics, of what runs report and of steps."""
+    chain = by.chain
+    after = AFTER | ({"v_next": ("$$_NVZ", "rates and internal states")} if chain.n_internal else {})
+    return [
+        *(by.function(Differentiable.of(chain, row), _said(chain, row), row.about) for row in rows(chain)),
+        *(by.function(step(chain, methods[name]), after, f"A step of {name}.") for name in STEPS),
+    ]
+
+
+def _accelerations(by: By) -> dict:
+    """The derivatives of the accelerations alone."""
+    row = BY_NAME["forward_dynamics"]
+    whole, said = Differentiable.of(by.chain, row), _said(by.chain, row)
+    what = replace(whole, name="accelerations", results={"vdot": whole.results["vdot"]})
+    return by.function(what, {"vdot": said["vdot"]}, "The accelerations under the inputs as they are given.")
 
 
 def _said(chain: Chain, row: RobotFunction) -> dict[str, tuple[str, str]]:

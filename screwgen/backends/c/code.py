@@ -325,3 +325,10 @@ def singular(test: str, link: int) -> str:
 def sizes(programs: Iterable[Program]) -> int:
     """The number of operations of several programs."""
     return sum(p.operation_count for p in programs)
+
+
+def by_kind(counts: Counter[str]) -> dict[str, int]:
+    """Counts of operations as tables have them: all, and those of each kind."""
+    other = sum(n for op, n in counts.items() if op not in ("mul", "add", "sub", "div", "neg"))
+    added = counts["add"] + counts["sub"] + counts["neg"]
+    return {"total": counts.total(), "mul": counts["mul"], "add": added, "div": counts["div"], "other": other}

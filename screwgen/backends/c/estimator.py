@@ -14,7 +14,9 @@ from ...ir.program import Tracer
 from ...joints.kind import JointKind
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
+from . import parameter_states
 from . import parameters as structs
+from .by_p import ParameterDerivatives
 from .code import Place, Writer, entries, literal, singular, trimmed, with_unused
 from .curved import stem
 from .derivatives import say_time
@@ -31,35 +33,43 @@ POINTERS = ("c", "e", "state", "input", "measured", "work")
 """The arguments of the functions that compare a measurement with a state."""
 
 
-def content(chain: Chain, rows: Sequence[Measurement], baked: bool, place: Place) -> dict:
-    """The templates' context; ``place`` is that of the fused function."""
-    found = {row.name: comparison(row, chain, "baked" if baked else "constants") for row in rows if row.size(chain)}
+def content(chain: Chain, rows: Sequence[Measurement], baked: bool, place: Place, by_p: ParameterDerivatives) -> dict:
+    """The templates' context; ``place`` is that of the fused function, ``by_p``: whether parameters are states."""
+    constants, states = "baked" if baked else "constants", parameter_states.count(by_p)
+    further = lambda row: parameter_states.further(chain, by_p, row)  # noqa: E731
+    found = {row.name: comparison(row, chain, constants, further(row)) for row in rows if row.size(chain)}
     programs = [one.program for one in found.values()]
+    half = chain.nvz + states / 2
     say_time(chain, "measurements", sum(program.operation_count for program in programs))
     routines = Routines(programs)
     measured = [_row(row, chain, found.get(row.name), routines, place) for row in rows]
     return {
         "rows": measured,
-        "numbers": [_number(number, chain, baked) for row in rows for number in row.numbers],
+        "numbers": [_number(number, chain, baked, states > 0) for row in rows for number in row.numbers],
+        "states": parameter_states.content(chain, by_p) if states else None,
         "routines": routines.functions,
         "slopes_of_stumpff": slopes(programs),
         "switches": any("on" in program.operations for program in programs),
         "kept": max((row["kept"] for row in measured), default=1),
         "longest": {
             "rest": max((row["n"] for row in measured), default=0),
-            "rows": max(chain.n_changes, *(sum(size for _, size in row["spans"]) for row in measured), 1),
+            "rows": max(chain.n_changes + states, *(sum(size for _, size in row["spans"]) for row in measured), 1),
             "by_vdot": chain.nvz * max((row["n"] for row in measured if row["accelerates"]), default=0),
         },
         "accelerates": any(row["accelerates"] for row in measured),
         "attitudes": any(row["readings"] > 1 and row["n"] for row in measured),
-        "per_prediction": 11 * chain.nvz**3 + 24 * len(chain.closing.rows) * chain.nv**2,
-        "per_update": 3 * chain.nvz**3,
-        "per_entry": 4 * chain.nvz**2,
+        "per_prediction": round(11 * half**3) + 24 * len(chain.closing.rows) * chain.nv**2,
+        "per_update": round(3 * half**3),
+        "per_entry": round(4 * half**2),
         "rates": "$$_NVZ" if chain.n_internal else "NQ",
-        "n_changes": f"{chain.nv} + {chain.nvz}" if chain.n_internal else f"2 * {chain.nv}",
+        "n_changes": _n_changes(chain) + " + $$_NBY_P" * (states > 0),
         "patience": PATIENCE,
         "square": lambda name, at: " + ".join(f"{name}[{k}] * {name}[{k}]" for k in range(at, at + 4)),
     } | _curved(chain)
+
+
+def _n_changes(chain: Chain) -> str:
+    return f"{chain.nv} + {chain.nvz}" if chain.n_internal else f"2 * {chain.nv}"
 
 
 def _row(row: Measurement, chain: Chain, found: Comparison | None, routines: Routines, place: Place) -> dict:
@@ -69,6 +79,7 @@ def _row(row: Measurement, chain: Chain, found: Comparison | None, routines: Rou
         own = {"rest": entries("work->rest"), "rows": entries("work->H"), "by_vdot": entries("work->by_vdot")}
         own |= {"measured": entries("measured"), "vdot": entries("work->derivatives.vdot")}
         own |= {number.keyword: entries(f"e->{number.name}") for number in row.numbers}
+        own |= {"slope": entries("e->slopes.slope")}
         placed = piece_place(chain, "work->kept", own, place)
         writer = lambda piece: Writer(piece, placed, singular, {*POINTERS, KEPT}, apart=True)  # noqa: E731
         made = bodies(writer, routines.calling(found.program), POINTERS)
@@ -87,22 +98,25 @@ def _row(row: Measurement, chain: Chain, found: Comparison | None, routines: Rou
     }
 
 
-def _number(number: SensorNumber, chain: Chain, baked: bool) -> dict:
-    """Numbers of a sensor, and the lines that set what they start at."""
+def _number(number: SensorNumber, chain: Chain, baked: bool, again: bool) -> dict:
+    """Numbers of a sensor, and the lines that set what they start at; ``again``: what is derived has a function."""
     size, to = number.size(chain), entries(f"e->{number.name}")
-    lines = _derived(number, chain, baked) if callable(number.start) else []
+    lines, own = _derived(number, chain, baked, f"e->{number.name}") if callable(number.start) else [], []
+    if lines and again:
+        lines, own = [f"set_{number.name}(p, e->{number.name});"], _derived(number, chain, baked, number.name)
     if number.start and not callable(number.start):
         lines = [f"{to(k)} = {literal(number.start)};" for k in range(size)]
-    return {"name": number.name, "about": number.about, "size": size, "lines": lines, "derived": callable(number.start)}
+    made = {"lines": lines, "derived": callable(number.start), "function": own}
+    return {"name": number.name, "about": number.about, "size": size, **made}
 
 
-def _derived(number: SensorNumber, chain: Chain, baked: bool) -> list[str]:
-    """The lines that set numbers as they follow from the robot's parameters."""
+def _derived(number: SensorNumber, chain: Chain, baked: bool, to: str) -> list[str]:
+    """The lines that set numbers, the array ``to``, as they follow from the robot's parameters ``p``."""
     assert callable(number.start)
     own, tracer = parameters(chain.robot), Tracer()
     p: list[Any] = [x.value for x in own] if baked else tracer.input("p", len(own))
     program = tracer.program(number.name, {"p": len(own)}, {"out": list(number.start(chain, p))})
-    places = {"p": lambda k: f"p->{structs.place(own[k])}", "out": entries(f"e->{number.name}")}
+    places = {"p": lambda k: f"p->{structs.place(own[k])}", "out": entries(to)}
     return trimmed(Writer(program, lambda name, k: places[name](k)).lines())
 
 

@@ -20,11 +20,13 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
+from ..templates import FEATURES
 from . import batch, check, curved, derivatives, estimator, features, files, laws, levers, outputs, preparation, steps
 from .by_p import algorithms as differentiated
+from .by_p import asked as asked_by_p
 from .by_p import content as by_parameters
 from .check import Recorded
-from .code import Writer, literal, singular, sizes, with_unused
+from .code import Writer, by_kind, literal, singular, sizes, with_unused
 from .columns import rendered
 from .fields import (
     StructMember,
@@ -83,12 +85,15 @@ class CProject:
         methods: Sequence[Method] = (),
         outputs: bool | Collection[str] = False,
         by_p: str | Sequence[str] = (),
+        estimate: str | Sequence[str] = (),
     ):
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
-        self.with_estimator, self.measurements = estimator is not False, chosen(chain, estimator)
+        self.with_estimator = estimator is not False or bool(estimate)
+        self.measurements = chosen(chain, self.with_estimator if isinstance(estimator, bool) else estimator)
         self.with_derivatives = derivatives or self.with_estimator
         self.reports = PARTS if outputs is True else tuple(outputs or ())
-        self.name, self.methods, self.chosen = chain.robot.name, with_built_in(methods), chain.parameters.chosen(by_p)
+        self.name, self.methods = chain.robot.name, with_built_in(methods)
+        self.by_p = asked_by_p(chain, by_p, estimate, self.measurements, binding == "baked")
         self.baked = fused.baked(chain) if binding == "baked" else None
         self.links = Links(chain, self.baked)
         self.asked, self.layout = layout, self._layout(layout)
@@ -119,7 +124,7 @@ class CProject:
     @property
     def library(self) -> dict[str, str]:
         """The files of the library, with the templates that they are made from."""
-        options = self.with_derivatives, self.with_estimator, self.with_batch, bool(self.chosen)
+        options = self.with_derivatives, self.with_estimator, self.with_batch, bool(self.by_p.chosen)
         return files.library(self.name, features.files(self.chain), options, self.reports)
 
     def shim(self, template: str, views: Sequence[str] = ()) -> str:
@@ -135,7 +140,8 @@ class CProject:
             "name": self.name,
             "NAME": self.name.upper(),
             "version": self.version,
-            "estimator": self.with_estimator and estimator.content(chain, self.measurements, baked, fused_place),
+            "estimator": self.with_estimator
+            and estimator.content(chain, self.measurements, baked, fused_place, self.by_p),
             "derivatives": self.with_derivatives
             and derivatives.content(chain, self.baked, fused_place, methods, self.asked),
             "sources": [file for file in self.library if file.endswith(".c")],
@@ -199,11 +205,12 @@ class CProject:
             "sums": check.sums(chain, self._cases, self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             **self._features,
+            FEATURES: self._features[FEATURES] + self.by_p.features,
             "outputs": self._told(OUTPUTS) if OUTPUTS in self.reports else None,
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
             "levers": once(levers.content, chain, baked, fused_place),
             "batch": self._batch if self.with_batch else None,
-            "by_p": by_parameters(chain, self.chosen, baked, fused_place, self.methods),
+            "by_p": by_parameters(chain, self.by_p, fused_place, self.methods),
         }
 
     @cached_property
@@ -275,14 +282,7 @@ class CProject:
             counts = Counter()
             for passage in self.links.passages("joint_dynamics", WATCHED):
                 counts += passage.program.operations
-        other = sum(n for op, n in counts.items() if op not in ("mul", "add", "sub", "div", "neg"))
-        return {
-            "total": sum(counts.values()),
-            "mul": counts["mul"],
-            "add": counts["add"] + counts["sub"] + counts["neg"],
-            "div": counts["div"],
-            "other": other,
-        }
+        return by_kind(counts)
 
     # parameters and constants -----------------------------------------------------------------
 
@@ -296,7 +296,7 @@ class CProject:
         """The algorithms that the C runs."""
         told = (a for part in self.reports for row in in_file(part, self.chain) for a in row.algorithms)
         measured = (a for row in self.measurements for a in row.algorithms)
-        more = (*told, *measured, functions.HOLD, *differentiated(self.chain, self.chosen), *self.further)
+        more = (*told, *measured, functions.HOLD, *differentiated(self.chain, self.by_p), *self.further)
         return *(run.algorithm for run in RUNS.values()), *more
 
     @property

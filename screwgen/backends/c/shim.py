@@ -47,7 +47,7 @@ def views(chain: Chain) -> tuple[str, ...]:
 def shims(project: CProject) -> dict[str, str]:
     """The files beside a robot's C, which has outputs, that its shared library is made of."""
     names = FILES + (("derivatives_shim.c",) if project.with_derivatives else ())
-    names, chain = names + (("by_p_shim.c",) if project.chosen else ()), project.chain
+    names, chain = names + (("by_p_shim.c",) if project.by_p.chosen else ()), project.chain
     told = [(f"m->{row.name}", length_of(row)) for row in reported(chain)]
     where = [(place, "$$_NVZ" if chain.n_internal and size == "$$_NV" else size) for place, size in ROW]
     values = dict(

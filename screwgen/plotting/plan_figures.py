@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..spec.inputs import input_units
 from ..spec.parameters import coordinate_units
 from .curves import thin
 from .look import GREY, LIMITS, PALE, PALETTE, SMALL, canvas, legend_above, png, styled
@@ -24,27 +23,33 @@ STILL = 1e-7
 """m: what is less than this counts as this on a logarithmic scale."""
 
 
+def joint_units(report: PlanReport) -> list[tuple[str, str]]:
+    """The units of each joint's coordinate and of its effort, which of an elastic drive is that at the joint."""
+    units = coordinate_units(report.model.robot)[: report.model.n_joints]
+    return [(unit, "N" if unit == "m" else "N·m") for unit in units]
+
+
 @styled
 def over_time(report: PlanReport) -> bytes:
     """Of each joint its reference, its rate and its effort over time, with their limits."""
     plan, run, m = report.plan, report.first.run, report.model.n_joints
-    units, efforts = coordinate_units(report.model.robot)[:m], input_units(report.model.robot)[:m]
+    units, tau = joint_units(report), report.drives.efforts(run.tau)
     out = canvas(WIDE, 1.7 * m + 0.5)
     grid = out.subplots(m, 3, squeeze=False, sharex=True)
     t = np.linspace(0.0, run.t[-1], 1000)
     q, v = plan.reference(t)
     held = np.arange(len(run.t) - 1)
     limits = report.limits
-    for j, row in enumerate(grid):
+    for j, (row, (unit, effort)) in enumerate(zip(grid, units, strict=True)):
         colour = PALETTE[j % len(PALETTE)]
         ends = limits.lower[j], limits.upper[j]
-        for axes, x, y, unit, bounds in (
-            (row[0], t, q[:, j], units[j], ends),
-            (row[1], t, v[:, j], f"{units[j]}/s", (-limits.rates[j], limits.rates[j])),
-            (row[2], *thin(run.t[held], run.tau[held, j]), efforts[j], (-plan.tau_max[j], plan.tau_max[j])),
+        for axes, x, y, title, bounds in (
+            (row[0], t, q[:, j], unit, ends),
+            (row[1], t, v[:, j], f"{unit}/s", (-limits.rates[j], limits.rates[j])),
+            (row[2], *thin(run.t[held], tau[held, j]), effort, (-plan.tau_max[j], plan.tau_max[j])),
         ):
             axes.plot(x, y, color=colour, drawstyle="steps-post" if axes is row[2] else "default")
-            axes.set_title(unit, loc="right", color=GREY, fontsize=SMALL, fontweight="normal")
+            axes.set_title(title, loc="right", color=GREY, fontsize=SMALL, fontweight="normal")
             axes.axvline(plan.time, color=PALE, linewidth=0.8)
             _bounds(axes, bounds)
         row[0].set_title(plan.joints[j])

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..arguments import Given
+from ..planning.drive_coordinates import DriveCoordinates
 from ..planning.limits import motion_limits
 from ..planning.make import scaled
 from ..planning.plan import MotionPlan
@@ -44,9 +45,9 @@ class PlanReport:
         return self.arrivals[PLANNED]
 
     @property
-    def rates(self) -> np.ndarray:
-        """(n_joints,): the largest rates of joints in the run, of either sign."""
-        return np.abs(self.first.run.v[:, : self.model.n_joints]).max(axis=0)
+    def drives(self) -> DriveCoordinates:
+        """What drives see of the run: rotors of elastic ones."""
+        return DriveCoordinates(self.model.chain, self.model.chain.parameters.vector(self.first.run.parameters))
 
     @property
     def shares(self) -> np.ndarray:

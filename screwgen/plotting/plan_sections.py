@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..spec.inputs import input_units
-from ..spec.parameters import coordinate_units
-from .plan_figures import errors_of_the_model, over_time, tip_over_time
+from .plan_figures import errors_of_the_model, joint_units, over_time, tip_over_time
 from .report_page import Context, ReportSection, TableRow, report_page, said, table
 
 if TYPE_CHECKING:
@@ -83,14 +81,14 @@ def _passed(report: PlanReport) -> Iterator[Remark]:
     """The limits that the run passes."""
     names, limits, model = report.plan.joints, report.limits, report.model
     for what, sizes, most, every in (
-        ("rate", report.rates, limits.rates, names),
+        ("rate", report.first.rates, limits.rates, names),
         ("rate of effort", report.effort_rates, limits.effort_rates, names),
         ("strain", report.strains, limits.strains, model.strain_names),
         ("joint wrench", report.wrenches, limits.wrenches, model.wrench_names),
     ):
         for j in np.flatnonzero(sizes > most * (1 + PASSED)):
             yield Remark(f"The {what} of {every[j]} reaches {sizes[j]:.4g}; its limit is {most[j]:.4g}.", True)
-    q = report.first.run.q[:, : len(names)]
+    q = report.drives.driven(report.first.run.q)
     for reached, end, over in (
         (q.min(axis=0), limits.lower, limits.lower - q.min(axis=0)),
         (q.max(axis=0), limits.upper, q.max(axis=0) - limits.upper),
@@ -128,15 +126,14 @@ def _still(report: PlanReport) -> Context:
 
 
 def _joints(report: PlanReport) -> Context:
-    plan, robot, limits = report.plan, report.model.robot, report.limits
-    units = list(zip(coordinate_units(robot), input_units(robot), strict=False))
+    plan, limits, units = report.plan, report.limits, joint_units(report)
     rows = []
     for j, (name, share) in enumerate(zip(plan.joints, report.shares, strict=True)):
-        motion = plan.q[0, j], plan.q[-1, j], report.rates[j], limits.rates[j]
+        motion = plan.q[0, j], plan.q[-1, j], report.first.rates[j], limits.rates[j]
         efforts = plan.effort[j], report.first.effort[j], plan.tau_max[j]
         part = f"{100 * share:.0f} %" if np.isfinite(share) else "–"
         cells = name, ", ".join(units[j]), *map(_number, motion), *map(_number, efforts), part
-        rows.append(TableRow(cells, report.rates[j] > limits.rates[j] * (1 + PASSED)))
+        rows.append(TableRow(cells, report.first.rates[j] > limits.rates[j] * (1 + PASSED)))
     return table(
         ("joint", "units", "from", "to", "largest rate", "limit", "effort, planned", "in the run", "limit", "share"),
         rows,

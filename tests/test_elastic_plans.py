@@ -109,3 +109,13 @@ def test_the_collaborative_arm_arrives():
 def test_what_does_not_know_elastic_drives_refuses_them(ask):
     with pytest.raises(UsageError, match=r"'elastic_joint' has elastic drives, for which there is no "):
         ask(example("elastic_joint"))
+
+
+def test_the_report_has_the_efforts_of_motors_times_the_ratio():
+    model, most = geared(effort=0.5), 0.5 * RATIO
+    report = screwgen.plan_report(model, screwgen.plan(model, [0.0], [1.0], 1.0, gains=LAW, fast=True), factors=(1.0,))
+    run = report.first.run
+    assert report.shares[0] == pytest.approx(RATIO * np.abs(run.tau[:-1, 0]).max() / most, rel=1e-12)
+    assert report.first.rates[0] == pytest.approx(np.abs(run.v[:, 1]).max() / RATIO, rel=1e-12)
+    assert report.robustness["stiffness"].parameters == ("rod.joint.drives[0].stiffness",)
+    assert f'<td class="n">{most:.4g}</td>' in report.html()

@@ -46,8 +46,9 @@ def plan(
 ) -> MotionPlan:
     """A motion of the joints from rest to rest that leaves nothing vibrating, with its torques.
 
-    `start`, `goal` (n_joints,), rad, of slides m; `time`, s, or "shortest", which is fragile: nothing is left for what
-    the model does not know. Of all such motions it is the one with the least integral of squared rates of torques.
+    `start`, `goal` (n_joints,), rad, of slides m, of elastic drives the rotor's angle over the ratio; `time`, s, or
+    "shortest", which is fragile: nothing is left for what the model does not know. Of all such motions it is the one
+    with the least integral of squared rates of torques.
 
     `through`: joint coordinates between start and goal, `{"q": (n_joints,), "t": s}`. Without `t` they are passed when
     the share of the time is that of the way.

@@ -80,13 +80,14 @@ def generate() -> tuple[Sources, np.ndarray]:
     q, v = plan.reference(t)
     ring, memory = shaper.sampled(STEP), law.start(q[0], (LOAD,))
     ring.start(q[0])
-    shaped = np.array([ring(x, x) for x in q[1:]])
+    shaped, shaped_rates = np.array([ring(x, y, x) for x, y in zip(q[1:], v[1:], strict=True)]).transpose(1, 0, 2)
     efforts = np.array(
         [law.sample(memory, x, r, np.zeros(3), (LOAD,), np.zeros(3)) for x, r in zip(q[1:], shaped, strict=True)]
     )
     ahead = screwgen.feedforward(model, q, v, STEP).tau
     planned = np.hstack([q, v, plan.mean_torque(t, t + STEP)])[1:]
-    return MotionSources(model.robot.name, folder), np.hstack([planned, ahead, shaped, efforts])[SHOWN - 1 :: SHOWN]
+    wanted = np.hstack([planned, ahead, shaped, shaped_rates, efforts])[SHOWN - 1 :: SHOWN]
+    return MotionSources(model.robot.name, folder), wanted
 
 
 def measure() -> Result:

@@ -31,6 +31,8 @@ from .planning.shapers import Shaper as Shaper
 from .planning.shapers import shaper as shaper
 from .planning.tip_goals import inverse_kinematics as inverse_kinematics
 from .planning.track import track as track
+from .plotting.plan_report import PlanReport as PlanReport
+from .plotting.plan_report import plan_report as plan_report
 from .simulation.arrival import Arrival as Arrival
 from .simulation.arrival import play as play
 from .simulation.control_loop import ControlLoopWarning as ControlLoopWarning

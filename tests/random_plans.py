@@ -1,4 +1,6 @@
-"""Random tasks for plans on five robots, and what becomes of each: `python tests/random_plans.py 0 100` prints all."""
+"""Random tasks for plans on five robots, and what becomes of each: `python tests/random_plans.py 0 100` prints all,
+`python tests/random_plans.py 0 20 geared` those of an arm with elastic drives.
+"""
 
 from __future__ import annotations
 
@@ -82,6 +84,23 @@ def two_links() -> screwgen.Model:
     return model_of(arm(*rows))
 
 
+def geared() -> screwgen.Model:
+    """Two links whose drives are elastic and have dry friction; the outer one bends."""
+    rows, friction = [], {"coulomb": 0.01, "viscous": 1e-4, "velocity": 0.5}
+    for name, mass, ratio in (("inner", 1.0, 100.0), ("outer", 1.5, 80.0)):
+        drive = {"ratio": ratio, "rotor_inertia": 3e-5, "stiffness": 3000.0, "damping": 2.0, "friction": friction}
+        section, bends = {"rhoA": 0.8, "EIy": 300.0, "EIz": 300.0}, {"bending_z": 1} if name == "outer" else {}
+        bodies = [{"at": "tip", "mass": mass}]
+        rows.append(link(name, 0.6, ["y"], section=section, modes=bends, bodies=bodies, joint={"drives": drive}))
+    return model_of(arm(*rows))
+
+
+@cache
+def elastic() -> Planned:
+    """The arm with elastic drives: one beside the five."""
+    return Planned(geared(), (300.0, 120.0), (40.0, 15.0), (1.2, 1.5), 0.35)
+
+
 @cache
 def robots() -> dict[str, Planned]:
     """The five."""
@@ -100,6 +119,11 @@ def robots() -> dict[str, Planned]:
     }
 
 
+def planned_of(name: str) -> Planned:
+    """A robot by its name."""
+    return elastic() if name == "geared" else robots()[name]
+
+
 class Asked(NamedTuple):
     """A task as `screwgen.plan` takes it."""
 
@@ -114,29 +138,29 @@ class Asked(NamedTuple):
         kept = {key: x for key, x in self.limits.items() if key not in names}
         if "efforts" in names:
             idle = np.zeros(len(self.start), bool)
-            idle[list(robots()[self.robot].idle)] = True
+            idle[list(planned_of(self.robot).idle)] = True
             kept["efforts"] = np.where(idle, 0.0, np.inf)
         return self._replace(limits=kept)
 
     def plan(self, **ways) -> screwgen.MotionPlan:
-        planned = robots()[self.robot]
+        planned = planned_of(self.robot)
         law = screwgen.PD(planned.kp, planned.kd, tuple(0.0 for _ in planned.kp))
         limits = {key: x for key, x in self.limits.items() if np.isfinite(x).any()}
         return screwgen.plan(planned.model, self.start, self.goal, self.time, gains=law, limits=limits, **ways)
 
 
-def drawn(seed: int) -> Asked:
-    """A task: hard ones and easy ones, some of which their limits forbid."""
+def drawn(seed: int, name: str = "") -> Asked:
+    """A task, of the robot that is named or of one of the five: some of them their limits forbid."""
     rng = np.random.default_rng([seed, 44])
-    name = list(robots())[seed % len(robots())]
-    planned = robots()[name]
+    name = name or list(robots())[seed % len(robots())]
+    planned = planned_of(name)
     reach, idle = np.array(planned.reach), list(planned.idle)
     start, goal = (rng.uniform(-1.0, 1.0, len(reach)) * reach for _ in range(2))
     period = planned.slow * float(np.exp(rng.uniform(np.log(1.5), np.log(5.0))))
     limits = {}
     still = Still(planned.model, np.array(planned.model.parameter_values))
     held = [still.held(q) for q in (start, goal)]
-    inertia = np.abs(np.diag(np.array(still.inertia(held[0].q))))[: len(reach)]
+    inertia = np.abs(np.diag(still.rigid_inertia(held[0].q)))
     way = np.abs(goal - start)
     if rng.random() < 0.7:
         rigid = np.max([np.abs(x.torque) for x in held], axis=0) + 6.0 * inertia * way / period**2
@@ -188,7 +212,7 @@ def outcome(asked: Asked) -> Outcome:
 
 def named(said: str) -> tuple[str, ...]:
     """The limits that a refusal names."""
-    if found := re.search(r"the limits of (.*?) forbid it", said):
+    if found := re.search(r"the limits of (.*?)(?: forbid it|: )", said):
         return tuple(key for name in found[1].split(" and ") for key in LIMITS[name])
     for words, keys in (("its limits are", ("lower", "upper")), ("to rest there takes", ("efforts",))):
         if words in said:
@@ -198,7 +222,7 @@ def named(said: str) -> tuple[str, ...]:
 
 def faults(asked: Asked, plan: screwgen.MotionPlan) -> tuple[str, str]:
     """What a plan does that was not asked for, played on its own model; and its figures."""
-    arrived = screwgen.play(robots()[asked.robot].model, plan, step=STEP)
+    arrived = screwgen.play(planned_of(asked.robot).model, plan, step=STEP)
     tip = arrived.run.tip_position
     share = arrived.residual / float(np.linalg.norm(np.ptp(tip, axis=0)))
     fine = plan.reference(np.linspace(0.0, plan.time, 2000))
@@ -216,7 +240,7 @@ def faults(asked: Asked, plan: screwgen.MotionPlan) -> tuple[str, str]:
 if __name__ == "__main__":
     counts: dict[str, int] = {}
     for seed in range(*map(int, sys.argv[1:3])):
-        asked = drawn(seed)
+        asked = drawn(seed, *sys.argv[3:4])
         result = outcome(asked)
         counts[result.kind] = counts.get(result.kind, 0) + 1
         figures = f"{result.iterations:3d} it {result.seconds:5.1f} s"

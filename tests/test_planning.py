@@ -156,7 +156,6 @@ def test_what_forbids_a_plan_is_one_line(said, goal, time, more):
 @pytest.mark.parametrize(
     ("name", "what"),
     [
-        ("elastic_joint", "elastic drives"),
         ("crane", "transmissions"),
         ("parallelogram", "loops"),
         ("tentacle", "tendons"),

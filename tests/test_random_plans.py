@@ -9,3 +9,9 @@ from random_plans import drawn, outcome
 def test_a_task_has_a_plan_that_arrives_or_is_refused_by_what_forbids_it(seed):
     result = outcome(drawn(seed))
     assert result.kind != "failed", result.words
+
+
+@pytest.mark.parametrize("seed", swept(range(20), 0, 1))
+def test_a_task_of_elastic_drives_has_a_plan_or_is_refused_by_what_forbids_it(seed):
+    result = outcome(drawn(seed, "geared"))
+    assert result.kind != "failed", result.words

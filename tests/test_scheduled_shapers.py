@@ -157,10 +157,11 @@ def test_a_refused_sample_leaves_a_shaper_as_it_was(of_ella):
     with pytest.raises(UsageError, match=r"reference: .*not finite"):
         own.start([NAN, 0.0, 0.0])
     own.start([0.1, 0.2, 0.3])
-    for reference, place in (([NAN, 0.0, 0.0], [0.0] * 3), ([1.0, 0.0, 0.0], [NAN, 0.0, 0.0])):
+    none, bad = [0.0] * 3, [NAN, 0.0, 0.0]
+    for given in ((bad, none, none), (none, bad, none), ([1.0, 0.0, 0.0], none, bad)):
         before = own.memory.copy(), own.newest
         with pytest.raises(UsageError):
-            own(reference, place)
+            own(*given)
         assert np.array_equal(own.memory, before[0]) and own.newest == before[1]
 
 

@@ -1,7 +1,7 @@
 /* motions.c: what moves the example arm on a board, at every millisecond: a plan is asked for references and torques, the
  * feedforward for the efforts of these references, a scheduled shaper shapes them, a linear-quadratic law with its filter
  * follows what is shaped. Prints what measure.c prints of counts and stacks; samples have the plan's coordinates, rates and
- * torques, the efforts of the step before, shaped coordinates, efforts of the law.
+ * torques, the efforts of the step before, shaped coordinates and rates, efforts of the law.
  *
  * Without -DCONSOLE it is the image of what a clock calls: the plan, with what -DFEEDFORWARD, -DSHAPER or -DLAW adds.
  */
@@ -55,7 +55,7 @@ static int prepare(void)
 #include "ella_shaper.h"
 
 static ella_shaper_state ring;
-static double shaped[JOINTS];
+static double shaped[JOINTS], shaped_rate[JOINTS];
 #endif
 
 #ifdef LAW
@@ -110,7 +110,7 @@ static int sample(int n)
     count_end();
     printf("count shaper 1\n");
     count_begin();
-    if (ella_shaper_sample(&ring, t, out.q, out.q, shaped) != ELLA_SHAPER_OK) {
+    if (ella_shaper_sample(&ring, t, out.q, out.v, out.q, shaped, shaped_rate) != ELLA_SHAPER_OK) {
         return 1;
     }
     count_end();
@@ -129,6 +129,7 @@ static int sample(int n)
         print_numbers(out.tau);
         print_numbers(tau);
         print_numbers(shaped);
+        print_numbers(shaped_rate);
         print_numbers(effort);
         printf("\n");
     }
@@ -153,7 +154,7 @@ int main(void)
     }
     STACK("plan_sample", ella_plan_sample(&place, 1.5, STEP, &out));
     STACK("feedforward", ella_feedforward(&constants, &state, out.q, out.v, STEP, &work, tau));
-    STACK("shaper_sample", ella_shaper_sample(&ring, SAMPLES * STEP, out.q, out.q, shaped));
+    STACK("shaper_sample", ella_shaper_sample(&ring, SAMPLES * STEP, out.q, out.v, out.q, shaped, shaped_rate));
     STACK("lqg_sample", ella_lqg_sample(&memory, SAMPLES * STEP, &given, effort));
     printf("done\n");
     return 0;
@@ -178,7 +179,7 @@ int main(void)
         (void)ella_feedforward(&constants, &state, out.q, out.v, STEP, &work, tau);
 #endif
 #ifdef SHAPER
-        (void)ella_shaper_sample(&ring, now, out.q, out.q, shaped);
+        (void)ella_shaper_sample(&ring, now, out.q, out.v, out.q, shaped, shaped_rate);
 #endif
 #ifdef LAW
         memcpy(given.q, out.q, sizeof out.q);

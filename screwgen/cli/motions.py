@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -13,6 +13,7 @@ from .options import Quiet, RobotFile
 
 if TYPE_CHECKING:
     from ..planning.plan import MotionPlan
+    from ..robot_model import RobotModel
 
 FORMATS = (".npz", ".csv")
 """Of files of plans."""
@@ -35,6 +36,10 @@ def plan(
     fast: Annotated[
         bool, typer.Option("--fast", help="Polynomials by least squares: limits are checked, not sought with.")
     ] = False,
+    report: Annotated[
+        str | None,
+        typer.Option(metavar="FILE", help="Also a report, .html: what is left, limits, wrong payloads."),
+    ] = None,
     quiet: Quiet = False,
 ) -> None:
     """Plan a motion of the joints from rest to rest that leaves nothing vibrating, with its torques."""
@@ -43,24 +48,39 @@ def plan(
     from ..planning.tip_goals import inverse_kinematics
     from ..progress import bar
     from ..simulation.controller_files import read_pd
+    from ..simulation.runs import check_output, outputs
     from ..spec.plan import read_task
     from .output import load_robot, say, stoppable
 
     quiet = quiet or context.obj
     check_destination(output, target, FORMATS, "a plan")
+    if report is not None:
+        check_output(report, (".html",))
     model = derive(load_robot(robot, quiet))
     asked, law = read_task(task)
     ways: dict[str, Any] = {"intervals": asked.intervals, "models": asked.models, "through": asked.through}
     ways["limits"] = {key: x for key, x in asked.limits.model_dump().items() if x is not None}
     ways["gains"] = None if law is None else read_pd(law, model)
     goal = asked.goal or inverse_kinematics(model, asked.goal_tip or (), asked.start)
-    with destination(output, target, step) as write, stoppable():
+    beside = [] if report is None else [report]
+    with destination(output, target, step) as write, outputs(*beside) as pages, stoppable():
         with bar("planning", 80, quiet) as progress:
             found = made(model, asked.start, goal, asked.time, **ways, fast=fast, progress=progress)
-        files = write(found)
+        for page in pages:
+            page.write(_page(model, found, ways, quiet).encode())
+        files = [*write(found), *beside]
     figures = f"{found.time:.4g} s, {found.said['iterations']} iterations, torques up to {found.effort.max():.4g}"
     bare = "" if found.kp.any() else "; without gains nothing corrects what the model does not know"
     say("\n".join([*files, figures + bare]), quiet)
+
+
+def _page(model: RobotModel, found: MotionPlan, ways: Mapping[str, Any], quiet: bool) -> str:
+    """The report of a plan."""
+    from ..plotting.plan_report import plan_report
+    from ..progress import bar
+
+    with bar("playing", 1, quiet) as progress:
+        return plan_report(model, found, models=ways["models"], limits=ways["limits"], progress=progress).html()
 
 
 @contextmanager

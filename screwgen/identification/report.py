@@ -1,51 +1,23 @@
-"""The report of an identification: one HTML page, a list of sections, each a template and what it shows."""
+"""The report of an identification, section by section."""
 
 from __future__ import annotations
 
-import base64
-from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..backends.templates import markup, render
+from ..plotting.report_page import Context, ReportSection, embedded, report_page, said, table
 from .report_figures import over_start, spectra
 from .residuals import spectrum
 
 if TYPE_CHECKING:
     from .identification import Identification
 
-Context = Mapping[str, Any]
-
-
-class ReportSection(NamedTuple):
-    """A part of the report: its title, its template below templates/identify, and what that shows."""
-
-    title: str
-    template: str
-    context: Callable[[Identification], Context]
-
-
-class ShownSection(NamedTuple):
-    """A section as it stands on the page."""
-
-    title: str
-    html: str
-
 
 def report_html(found: Identification) -> str:
     """The page, which needs nothing else."""
-    contexts = [(section, section.context(found)) for section in SECTIONS]
-    shown = [
-        ShownSection(section.title, markup(render(f"identify/{section.template}.html.jinja", **context)))
-        for section, context in contexts
-        if context
-    ]
-    return render("identify/page.html.jinja", title=f"Identification of {found.robot}", sections=shown)
-
-
-def _picture(png: bytes) -> str:
-    return "data:image/png;base64," + base64.b64encode(png).decode()
+    return report_page(f"Identification of {found.robot}", SECTIONS, found)
 
 
 def _percent(share: float) -> str:
@@ -65,11 +37,11 @@ def _logs(found: Identification) -> Context:
 
 
 def _notes(found: Identification) -> Context:
-    return {"lines": found.notes, "nothing": "Nothing odd was found."}
+    return said(found.notes, "Nothing odd was found.")
 
 
 def _undetermined(found: Identification) -> Context:
-    return {"lines": found.undetermined, "nothing": "The data determine all numbers that were free."}
+    return said(found.undetermined, "The data determine all numbers that were free.")
 
 
 def _numbers(found: Identification) -> Context:
@@ -79,12 +51,11 @@ def _numbers(found: Identification) -> Context:
         for x in found.estimates
     ]
     png = over_start(found.estimates)
-    return {"rows": rows, "picture": _picture(png) if png else ""}
+    return {"rows": rows, "picture": embedded(png) if png else ""}
 
 
 def _curves(found: Identification) -> Context:
-    pictures = [{"label": f"{x.log}, measured and model", "source": _picture(x.picture())} for x in found.explained]
-    return {"pictures": pictures}
+    return table((), (), pictures={f"{x.log}, measured and model": x.picture() for x in found.explained})
 
 
 def _residuals(found: Identification) -> Context:
@@ -99,26 +70,26 @@ def _residuals(found: Identification) -> Context:
         correlation = found.whiteness.get(sensor, float("nan"))
         below_text = f"{100 * below:.0f} %" if first else "–"
         rows.append({"sensor": sensor, "correlation": f"{correlation:.2f}", "below": below_text})
-    return {"rows": rows, "picture": _picture(spectra(of, found.frequencies))}
+    return {"rows": rows, "picture": embedded(spectra(of, found.frequencies))}
 
 
 def _vibrations(found: Identification) -> Context:
     """Nothing, and no section, where none was measured."""
-    return {"lines": [one.line() for one in found.vibrations]} if found.vibrations else {}
+    return said([one.line() for one in found.vibrations]) if found.vibrations else {}
 
 
 def _fit(found: Identification) -> Context:
     return {"rows": list(found.tried.items())}
 
 
-SECTIONS: Sequence[ReportSection] = (
-    ReportSection("How much the model explains", "logs", _logs),
-    ReportSection("What is odd", "said", _notes),
-    ReportSection("What the data do not determine", "said", _undetermined),
-    ReportSection("Numbers, before and after", "numbers", _numbers),
-    ReportSection("Measured vibrations", "said", _vibrations),
-    ReportSection("Measured against model", "curves", _curves),
-    ReportSection("What is left", "residuals", _residuals),
-    ReportSection("The fit", "fit", _fit),
+SECTIONS: Sequence[ReportSection[Identification]] = (
+    ReportSection("How much the model explains", "identify/logs", _logs),
+    ReportSection("What is odd", "report/said", _notes),
+    ReportSection("What the data do not determine", "report/said", _undetermined),
+    ReportSection("Numbers, before and after", "identify/numbers", _numbers),
+    ReportSection("Measured vibrations", "report/said", _vibrations),
+    ReportSection("Measured against model", "report/table", _curves),
+    ReportSection("What is left", "identify/residuals", _residuals),
+    ReportSection("The fit", "identify/fit", _fit),
 )
 """In the order of the page."""

@@ -179,11 +179,11 @@ class LeastSquares:
     def begin(self) -> list[np.ndarray]:
         """Motions (3, n, points) of all models with all coefficients zero, from their rests to their rests."""
         task, s, out = self.task, np.linspace(0.0, 1.0, self.points), []
-        m, straight = len(task.start), task.start[:, None] + np.outer(task.goal - task.start, s)
+        straight = task.start[:, None] + np.outer(task.goal - task.start, s)
         for x in self.members:
-            motion = np.zeros((3, len(x.start.q), self.points))
-            motion[:, :m] = self.shape.motion(self.none)
-            motion[0, :m] -= straight
+            path = self.shape.motion(self.none)
+            path[0] -= straight
+            motion = np.einsum("nj,djp->dnp", x.still.drives.rigid, path)
             motion[0] += x.start.q[:, None] + np.outer(x.goal.q - x.start.q, s)
             out.append(motion)
         return out

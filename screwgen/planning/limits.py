@@ -12,6 +12,7 @@ from ..arguments import Numbers, array
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.load import one_line
+from .drive_coordinates import DriveCoordinates
 from .task import MotionLimits
 
 HEADROOM = 0.97
@@ -38,7 +39,8 @@ def motion_limits(
             raise UsageError(f"limits: {key}: must be positive")
         if key == "efforts" and not (values >= 0).all():
             raise UsageError("limits: efforts: must be positive, of joints without a drive zero")
-    efforts = np.minimum(model.chain.efforts, own.get("efforts", np.inf))
+    drives = DriveCoordinates(model.chain, model.parameter_values)
+    efforts = np.minimum(drives.efforts(model.chain.efforts), own.get("efforts", np.inf))
     if gains is not None and getattr(gains, "tau_max", None) is not None:
         efforts = np.minimum(efforts, np.asarray(gains.tau_max, float))
     none = np.full(m, np.inf)

@@ -12,17 +12,21 @@ import numpy as np
 from ..arguments import Given, Numbers, array, seconds, whole
 from ..errors import UsageError
 from ..robot_model import RobotModel
+from ..spec.dry_friction import with_spread_friction
 from ..spec.plan import INTERVALS, LARGEST, LEAST, SHORTEST
 from .bumps import FINER
 from .bumps import fast as fast_found
 from .limits import HEADROOM, motion_limits
 from .members import PlannedModel, Still, member
 from .plan import MotionPlan
-from .refusals import check_ends, no_fast_plan, no_plan, refuse_robot
+from .refusals import check_ends, no_fast_plan, no_plan, passed_by_friction, refuse_robot
 from .shortest import shortest
 from .solve import Found, Progress, solve
 from .task import JointLaw, Task
 from .waypoints import waypoints
+
+SPREAD = 0.2
+"""Over which share of the mean rate of the joint that goes farthest dry friction changes its sign in a search."""
 
 
 def plan(
@@ -42,8 +46,9 @@ def plan(
 ) -> MotionPlan:
     """A motion of the joints from rest to rest that leaves nothing vibrating, with its torques.
 
-    `start`, `goal` (n_joints,), rad, of slides m; `time`, s, or "shortest", which is fragile: nothing is left for what
-    the model does not know. Of all such motions it is the one with the least integral of squared rates of torques.
+    `start`, `goal` (n_joints,), rad, of slides m, of elastic drives the rotor's angle over the ratio; `time`, s, or
+    "shortest", which is fragile: nothing is left for what the model does not know. Of all such motions it is the one
+    with the least integral of squared rates of torques.
 
     `through`: joint coordinates between start and goal, `{"q": (n_joints,), "t": s}`. Without `t` they are passed when
     the share of the time is that of the way.
@@ -59,7 +64,7 @@ def plan(
 
     Raises UsageError, which names the limit where one forbids the motion.
     """
-    refuse_robot(model)
+    refuse_robot(model, elastic=True)
     m, began = model.n_joints, clock.perf_counter()
     bounds, law = motion_limits(model, limits or {}, gains), law_of(gains, m, bool(models))
     intervals = whole(intervals, "intervals", LEAST, LARGEST)
@@ -72,8 +77,9 @@ def plan(
     values = model.chain.parameters.vector(parameters)
     own, others = Still(model, values), [Still(model, scaled(model, values, factors)) for factors in models]
     first = check_ends(task, model, own, fixed)
-    task = task.measured_in(np.array(own.inertia(first.q))[:m, :m], first.torque)
-    search = lambda task, near: _found(task, own, others, near, progress)  # noqa: E731
+    task = task.measured_in(own.rigid_inertia(first.q), first.torque)
+    calm, *more = (_calm(x, task) for x in (own, *others))
+    search = lambda task, near: _found(task, calm, more, near, progress)  # noqa: E731
     if fast:
         task = replace(task, intervals=FINER * intervals)
         members = _members(task, own, others)
@@ -86,6 +92,10 @@ def plan(
             raise no_plan(task, model, own, search)
     else:
         task, found = shortest(task, model, own, search)
+    if calm is not own and not fast:
+        found = _with_friction(own, found)
+        if why := passed_by_friction(task, model, own, found):
+            raise why
     took = {
         "iterations": found.iterations,
         "seconds": clock.perf_counter() - began,
@@ -105,13 +115,27 @@ def _planned(model: RobotModel, task: Task, found: Found, said: Mapping[str, Any
     return MotionPlan(model.robot.name, names, t, q, v, a, torques, law.kp, law.kd, limits, said)
 
 
+def _calm(still: Still, task: Task) -> Still:
+    """The model with dry friction whose change of sign a search bears; itself where there is none."""
+    p = with_spread_friction(still.model.robot, still.p, SPREAD * float(np.abs(task.way).max()) / task.time)
+    return still if np.array_equal(p, still.p) else Still(still.model, p)
+
+
+def _with_friction(own: Still, found: Found) -> Found:
+    """The same motion with the torques, at all points, of friction as it is: drives bear it where they cause it."""
+    motion = found.motions[0]
+    force = np.array(own.residual.map(motion.q.shape[1])(motion.q, motion.v, motion.a))
+    return replace(found, torques=force[: own.joints])
+
+
 def _found(task: Task, own: Still, others: Sequence[Still], near: Found | None, progress: Progress | None) -> Found:
     """The plan for the first model, then for all, from it on."""
     members = _members(task, own, others)
-    alone = near or solve(task, members[:1], None, progress)
+    exact = bool(own.model.chain.n_added)  # the springs of gears bend the constraints too much to do without
+    alone = near or solve(task, members[:1], None, progress, exact)
     if near is None and not (alone.sound and others):
         return alone
-    return solve(task, members, alone, progress)
+    return solve(task, members, alone, progress, exact)
 
 
 def _members(task: Task, own: Still, others: Sequence[Still]) -> list[PlannedModel]:

@@ -19,6 +19,7 @@ from ..lazily import linalg
 from ..robot_model import RobotModel
 from ..spec.dry_friction import without_dry_friction
 from ..spec.parameters import parameters
+from .drive_coordinates import DriveCoordinates
 from .task import JointLaw, Task
 
 STEPS, SETTLED = 50, 1e-11
@@ -28,7 +29,7 @@ LIMITS = (".effort", ".lower", ".upper")
 
 @dataclass(frozen=True)
 class AtRest:
-    """A model at rest: coordinates (n,), and the torques of the joints (n_joints,) that hold it, its law's included."""
+    """A model at rest: coordinates (n,), and the torques of drives (n_joints,) that hold it, its law's included."""
 
     q: np.ndarray
     torque: np.ndarray
@@ -41,17 +42,16 @@ def _joint_wrenches(f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_ex
 
 
 class Still:
-    """The forces of a model that rests, and how it vibrates about a rest."""
+    """The forces of a model that rests, and how it vibrates about a rest, in the coordinates that drives have."""
 
     def __init__(self, model: RobotModel, p: np.ndarray):
         self.model, self.p = model, p
         _check_limits(model, p)
         found = model.once("forces at rest", partial(_forces_at_rest, model))
-        n = model.nq
-        q, v, a = (ca.SX.sym(name, n) for name in "qva")
-        self.joints = model.n_joints
-        force = model.casadi()["inverse_dynamics"](q, v, a, ca.DM.zeros(6, model.n_links), p)
-        self.residual = ca.Function("residual", [q, v, a], [force])
+        self.joints, self.drives = model.n_joints, DriveCoordinates(model.chain, p)
+        z = [ca.SX.sym(name, model.nq) for name in "qva"]
+        force = model.casadi()["inverse_dynamics"](*map(self.drives.to_robot, z), ca.DM.zeros(6, model.n_links), p)
+        self.residual = ca.Function("residual", z, [self.drives.forces(force)])
         slipping = without_dry_friction(model.robot, p, bend=False)
         self.statics, self.damping, self.inertia = (
             partial(_at, f, own) for f, own in zip(found, (p, slipping, p), strict=True)
@@ -63,17 +63,18 @@ class Still:
         given = symbols(self.model.chain, "q v vdot w_ext p")
         wrench = expressions(_joint_wrenches(self.model.chain), given)["wrench"]
         whole, motion = ca.Function("wrenches", [*given.values()], [wrench]), [given[x] for x in ("q", "v", "vdot")]
-        return ca.Function("wrenches", motion, [whole(*motion, ca.DM.zeros(6, self.model.n_links), self.p)])
+        moved = map(self.drives.to_robot, motion)
+        return ca.Function("wrenches", motion, [whole(*moved, ca.DM.zeros(6, self.model.n_links), self.p)])
 
     @cached_property
     def strains(self) -> ca.Function:
         """``(q) -> (n_strains,)``: the strains of the centrelines."""
         q = ca.SX.sym("q", self.model.nq)
-        return ca.Function("strains", [q], [self.model.casadi()["strain"](q, self.p)])
+        return ca.Function("strains", [q], [self.model.casadi()["strain"](self.drives.to_robot(q), self.p)])
 
     def held(self, joints: np.ndarray, near: np.ndarray | None = None) -> AtRest:
-        """The rest with the joints where they are said to be."""
-        q = np.zeros(self.residual.size1_in(0)) if near is None else near.copy()
+        """The rest with the drives where they are said to be."""
+        q = self.drives.rigid @ joints if near is None else near.copy()
         q[: self.joints] = joints
         q = self._newton(q, np.zeros(self.joints), np.full(self.joints, np.inf))
         return AtRest(q, np.array(self.statics(q)[0]).ravel()[: self.joints])
@@ -84,7 +85,7 @@ class Still:
         return AtRest(q, torque + law.kp * (reference - q[: self.joints]))
 
     def _newton(self, q: np.ndarray, load: np.ndarray, kp: np.ndarray) -> np.ndarray:
-        """The rest where joints bear `load − kp q`; those with an infinite `kp` stay."""
+        """The rest where drives bear `load − kp q`; those with an infinite `kp` stay."""
         m, held = self.joints, np.isinf(kp)
         free = np.append(~held, np.ones(len(q) - m, bool))
         gain = np.where(held, 0.0, kp)
@@ -106,6 +107,11 @@ class Still:
         """
         return np.array(self.inertia(q)), np.array(self.damping(q)), np.array(self.statics(q)[1])
 
+    def rigid_inertia(self, q: np.ndarray) -> np.ndarray:
+        """(n_joints, n_joints): the inertia that drives move where nothing bends or twists."""
+        rigid = self.drives.rigid
+        return rigid.T @ np.array(self.inertia(q)) @ rigid
+
     def energy(self, q: np.ndarray, kp: np.ndarray) -> np.ndarray:
         """(2 n, 2 n): of displacements from a rest and rates, twice their energy; joints on springs `kp`."""
         M, _, K = self.matrices(q)
@@ -118,7 +124,8 @@ def _forces_at_rest(model: RobotModel) -> tuple[ca.Function, ...]:
     whole, n = model.casadi()["inverse_dynamics"], model.nq
     q, v, a = (ca.SX.sym(name, n) for name in "qva")
     p = ca.SX.sym("p", len(model.parameter_values))
-    force = whole(q, v, a, ca.DM.zeros(6, model.n_links), p)
+    drives = DriveCoordinates(model.chain, ca.vertsplit(p))
+    force = drives.forces(whole(*map(drives.to_robot, (q, v, a)), ca.DM.zeros(6, model.n_links), p))
     rest = lambda x: ca.substitute(x, ca.vertcat(v, a), ca.DM.zeros(2 * n))  # noqa: E731
     still, damping, inertia = rest(force), rest(ca.jacobian(force, v)), rest(ca.jacobian(force, a))
     return (

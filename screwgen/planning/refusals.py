@@ -10,6 +10,7 @@ import numpy as np
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from .collocation import Trajectory
+from .limits import HEADROOM
 from .members import AtRest, PlannedModel, Still
 from .solve import Found
 from .task import MotionLimits, Task
@@ -26,14 +27,19 @@ GROUPS = {
 ROUNDING = 1e-9
 
 
-def refuse_robot(model: RobotModel, what: str = "plan", instead: str = "give references of your own") -> None:
-    """Refuse robots whose coordinates are not joints with a drive each, and modes; ``what``: there is none for them."""
+def refuse_robot(
+    model: RobotModel, what: str = "plan", instead: str = "give references of your own", elastic: bool = False
+) -> None:
+    """Refuse robots whose coordinates are not joints with a drive each, and modes; ``what``: there is none for them.
+
+    `elastic`: gears may twist, so that drives have coordinates of their own.
+    """
     chain = model.chain
     chain.refuse_quaternion_joints(what, instead)
     chain.refuse_floating_base(what, instead)
     chain.refuse_loops(what, instead)
     others = {
-        "elastic drives": chain.eta_q != chain.n_joints or bool(chain.elastic_travels),
+        "elastic drives": bool(chain.n_added) and not elastic,
         "transmissions": bool(chain.travels),
         "axes whose motion is given": bool(len(chain.prescribed)),
         "brakes": bool(chain.braked),
@@ -106,6 +112,15 @@ def no_fast_plan(task: Task, model: RobotModel, members: Sequence[PlannedModel],
             if (name != "rates of efforts" or not i) and (what := _passed(name, task, model, member.still, moved)):
                 of = f" of models[{i - 1}]" * (i > 0)
                 return UsageError(f"the fast plan passes the limits of {name}{of}: {what}; {remedy}")
+    return None
+
+
+def passed_by_friction(task: Task, model: RobotModel, own: Still, found: Found) -> UsageError | None:
+    """The error of a motion whose drives, with dry friction as it is, pass what they have; None where they do not."""
+    whole = replace(task, limits=replace(task.limits, efforts=task.limits.efforts / HEADROOM))
+    for name in _stated(task.limits):
+        if name in ("efforts", "rates of efforts") and (what := _passed(name, whole, model, own, found)):
+            return UsageError(f"dry friction passes the limits of {name}: {what}; take more time, or raise limits")
     return None
 
 

@@ -102,29 +102,37 @@ class ScheduledShaper:
 
 
 class SampledShaper:
-    """References in, shaped references out, sample by sample: what the generated C does."""
+    """References with rates in, shaped ones out, sample by sample: what the generated C does."""
 
     def __init__(self, scheduled: ScheduledShaper, step: float):
         self.scheduled, self.step = scheduled, step
         self.length = int(np.ceil(scheduled.delay / step)) + 2
-        self.memory = np.empty((0, 0))
+        self.memory = np.empty((0, 2, 0))
         self.newest = 0
 
     def start(self, reference: Numbers) -> None:
         """Begin at rest at a reference (n,), which counts as that of all samples before."""
         reference = array(reference, "reference:", (len(self.scheduled.joints),))
-        self.memory, self.newest = np.tile(reference, (self.length, 1)), 0
+        self.memory, self.newest = np.tile([reference, 0.0 * reference], (self.length, 1, 1)), 0
 
-    def __call__(self, reference: Numbers, place: Numbers) -> np.ndarray:
-        """The shaped reference (n,) at the next sample, at values of the variables (V,)."""
+    def __call__(self, reference: Numbers, rate: Numbers, place: Numbers) -> tuple[np.ndarray, np.ndarray]:
+        """The shaped reference (n,) and its rate (n,) at the next sample, at values of the variables (V,).
+
+        Rates are sums of earlier rates: how the delays themselves change is left out. Between samples coordinates
+        are those of a cubic, and rates lie on a straight line; both are exact where the reference accelerates evenly.
+        """
         if not self.memory.size:
             raise UsageError("shaper: is not started; call start with the first reference")
-        reference, impulses = array(reference, "reference:", self.memory.shape[1:]), self.scheduled.at(place)
+        size, impulses = self.memory.shape[2:], self.scheduled.at(place)
+        sample = array(reference, "reference:", size), array(rate, "rate:", size)
         self.newest = (self.newest + 1) % self.length
-        self.memory[self.newest] = reference
-        out = np.zeros(self.memory.shape[1])
+        self.memory[self.newest] = sample
+        out = np.zeros_like(self.memory[0])
         for time, amplitude in zip(impulses.times, impulses.amplitudes, strict=True):
             back, share = divmod(time / self.step, 1.0)
-            late, later = (self.memory[(self.newest - int(back) - k) % self.length] for k in (0, 1))
-            out += amplitude * (late + share * (later - late))
-        return out
+            late, earlier = (self.memory[(self.newest - int(back) - k) % self.length] for k in (0, 1))
+            way = earlier - late
+            bend = share * (way[0] + self.step * earlier[1]) - (1.0 - share) * (way[0] + self.step * late[1])
+            out += amplitude * (late + share * way)
+            out[0] += amplitude * share * (1.0 - share) * bend
+        return out[0], out[1]

@@ -90,12 +90,12 @@ def solve(
         return replace(again, iterations=again.iterations + there.iterations)
     sound = converged and (len(members) > 1 or left <= LEFT)
     if converged and not sound and task.weight < MOST_STRICT:
-        again = solve(task.stricter(), members, there, progress)
+        again = solve(task.stricter(), members, there, progress, exact)
         return replace(again, iterations=again.iterations + there.iterations)
     if sound and (shares := broken(task, members, found)):
         if task.rounds == ROUNDS:
             return there
-        again = solve(task.also_at(shares), members, there, progress)
+        again = solve(task.also_at(shares), members, there, progress, exact)
         return replace(again, iterations=again.iterations + there.iterations)
     return replace(there, sound=sound)
 
@@ -135,7 +135,7 @@ def _spline(task: Task, member: PlannedModel, s: np.ndarray) -> Trajectory:
     when = [0.0, *(x.share for x in task.through), 1.0]
     q = np.array([member.start.q + share * (member.goal.q - member.start.q) for share in when])
     for row, point in zip(q[1:-1], task.through, strict=True):
-        row[: len(task.start)] = point.joints
+        row += member.still.drives.rigid @ (point.joints - row[: len(task.start)])
     path, T = CubicSpline(when, q, bc_type="clamped"), task.time
     return Trajectory(path(s).T, path(s, 1).T / T, path(s, 2).T / T**2)
 

@@ -28,7 +28,7 @@ def inverse_kinematics(
     The links sag under their weight. Of several postures it is one close to `near` (n_joints,), zero if not given.
     Raises UsageError where the place is out of reach within the limits of joints, or the posture is singular there.
     """
-    refuse_robot(model, "inverse kinematics", "state joint coordinates")
+    refuse_robot(model, "inverse kinematics", "state joint coordinates", elastic=True)
     m = model.n_joints
     place = array(tip, "tip:", (3,))
     begin = np.zeros(m) if near is None else array(near, "near:", (m,))
@@ -75,7 +75,7 @@ class TipAtRest:
     def __init__(self, model: RobotModel, p: np.ndarray):
         self.still, self.joints = Still(model, p), model.n_joints
         q = ca.SX.sym("q", model.nq)
-        position = model.casadi()["tip_pose"](q, p)[1]
+        position = model.casadi()["tip_pose"](self.still.drives.to_robot(q), p)[1]
         self.place = ca.Function("place", [q], [position, ca.jacobian(position, q)])
 
     def position(self, joints: np.ndarray) -> np.ndarray:

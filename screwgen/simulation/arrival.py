@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..arguments import Given, seconds
+from ..planning.drive_coordinates import DriveCoordinates
 from ..planning.plan import MotionPlan
 from ..robot_model import RobotModel
 from .played import Played
@@ -27,11 +28,13 @@ class Arrival:
     residual: float
     """m: the diagonal of the box in which the tip moves behind the end of the plan."""
     effort: np.ndarray
-    """(n_joints,): the largest torques, N·m, of slides forces, N, of either sign."""
+    """(n_joints,): the largest torques, N·m, of slides forces, N, of either sign; of elastic drives times the ratio."""
     saturated: int
     """Samples at which a drive gives all that it has."""
     joints: np.ndarray
-    """(n_joints,): how far joints are from the goal at the end of the run."""
+    """(n_joints,): how far joints, of elastic drives rotors over the ratio, are from the goal at the end of the run."""
+    rates: np.ndarray
+    """(n_joints,): their largest rates, of either sign."""
 
     def __repr__(self) -> str:
         return f"<Arrival: tip within {self.residual * 1e3:.3g} mm, {self.line}>"
@@ -61,11 +64,13 @@ def play(
     duration = step * np.ceil((plan.time + seconds(after, "the time after")) / seconds(step, "the step") - 1e-9)
     run = simulate(model, duration, step, None, None, Played.of(plan), parameters=p, **ways)
     behind = run.tip_position[run.t >= plan.time * (1 - 1e-12)]
-    applied, m = np.abs(run.tau[:-1, : model.n_joints]), model.n_joints
+    drives = DriveCoordinates(model.chain, p)
+    applied = np.abs(drives.efforts(run.tau[:-1]))
     return Arrival(
         run,
         float(np.linalg.norm(np.ptp(behind, axis=0))),
         applied.max(axis=0),
         int(((applied >= FULL * plan.tau_max) & (plan.tau_max > 0)).any(axis=1).sum()),
-        run.q[-1, :m] - plan.q[-1],
+        drives.driven(run.q[-1]) - plan.q[-1],
+        np.abs(drives.driven(run.v)).max(axis=0),
     )

@@ -51,15 +51,17 @@ class Played(PD):
         assert self.plan is not None
         plan, still = self.plan, Still(model, p)
         held = still.held(plan.q[0]).q
-        return still.under(JointLaw(plan.kp, plan.kd), plan.q[0], plan.tau[0], held).q if plan.kp.all() else held
+        law = JointLaw(plan.kp, plan.kd)
+        return still.drives.to_robot(still.under(law, plan.q[0], plan.tau[0], held).q if plan.kp.all() else held)
 
     def starting_at(self, q: Any) -> Played:
         """The law itself: a plan has a start of its own. A run that starts elsewhere is warned."""
         assert self.plan is not None
         start = self.plan.q[0]
-        if (off := np.abs(q[: len(start)] - start)).max() > AWAY:
+        there = self.measured(q, self.ahead)
+        if (off := np.abs(there - start)).max() > AWAY:
             j = int(off.argmax())
-            said = f"the plan starts at {start[j]:.4g} of {self.plan.joints[j]}, the run at {q[j]:.4g}"
+            said = f"the plan starts at {start[j]:.4g} of {self.plan.joints[j]}, the run at {there[j]:.4g}"
             warnings.warn(f"{said}: its torques are those of the plan's start", PlanWarning, stacklevel=2)
         return self
 
@@ -68,13 +70,13 @@ class Played(PD):
         return self.plan.reference(t)
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """The torques, N·m, of slides forces, N."""
+        """The torques, N·m, of slides forces, N, where they act: on the rotors of elastic drives."""
         assert self.plan is not None
         q_ref, v_ref = self.reference(t)
         lag, late = q_ref - self.measured(q, self.ahead), v_ref - self.measured(v)
         tau = self.plan.mean_torque(t, t + self.step) + np.array(self.kp) * lag + np.array(self.kd) * late
         most = self.plan.tau_max
-        return np.append(np.clip(tau, -most, most), np.zeros(self.idle))
+        return np.append(np.clip(tau, -most, most) / self.own_ratios, np.zeros(self.idle))
 
 
 def read_played(path: str | os.PathLike[str], model: RobotModel) -> Played:

@@ -1,0 +1,121 @@
+"""Plans of arms with elastic drives: judged by bang-bang's closed form, by statics, by the arm beside least jerk."""
+
+import numpy as np
+import pytest
+from helpers import G, arm, example, link, model_of
+from test_planning import bang_bang
+
+import screwgen
+from screwgen import UsageError
+from screwgen.simulation.controllers import Holding
+
+RATIO, ROTOR, STIFFNESS, LOAD, LENGTH = 50.0, 2e-4, 900.0, 2.0, 0.8
+LAW = screwgen.PD((60.0,), (12.0,), (0.0,))
+FRICTION = {"coulomb": 0.02, "viscous": 1e-4, "velocity": 0.5}
+
+
+def geared(gravity=0.0, effort=None, **drive):
+    """A light rigid link with a load that a motor turns through a gear that twists."""
+    own = {"ratio": RATIO, "rotor_inertia": ROTOR, "stiffness": STIFFNESS, **drive}
+    own = {key: x for key, x in own.items() if x is not None}
+    limits = {} if effort is None else {"limits": {"effort": effort}}
+    body = {"at": "tip", "mass": LOAD}
+    row = link("rod", length=LENGTH, rhoA=1e-6, bodies=[body], joint={"drives": own, **limits})
+    return model_of(arm(row, gravity=[0.0, -gravity, 0.0]))
+
+
+def test_the_shortest_time_of_an_elastic_drive_is_that_of_bang_bang():
+    """A rotor, a spring and a load; the limit of the file is that of the motor, before the gear."""
+    motor, load, way, effort = RATIO**2 * ROTOR, LOAD * LENGTH**2, 1.0, 15.0
+    free = np.sqrt(STIFFNESS * (1 / motor + 1 / load)) / (2 * np.pi)
+    plan = screwgen.plan(geared(effort=effort / RATIO / 0.97), [0.0], [way], "shortest", intervals=140)
+    best = bang_bang(way, effort, motor + load, free)
+    assert best * 0.998 <= plan.time <= 1.015 * best
+    assert plan.tau_max[0] == pytest.approx(effort / 0.97) and plan.effort[0] <= effort * (1 + 1e-6)
+
+
+@pytest.mark.parametrize("fast", [False, True])
+def test_a_plan_begins_with_the_twist_of_its_gear_and_ends_at_rest(fast):
+    """The load hangs on the gear: the joint is behind the rotor over the ratio by torque over stiffness."""
+    model = geared(gravity=G)
+    plan = screwgen.plan(model, [0.0], [1.0], 1.0, gains=LAW, fast=fast, intervals=48)
+    arrived = screwgen.play(model, plan, step=5e-4)
+    joint, rotor = arrived.run.q[0]
+    held = LOAD * G * LENGTH * np.cos(joint)
+    assert rotor == pytest.approx(0.0, abs=1e-10) and joint == pytest.approx(-held / STIFFNESS, rel=1e-6)
+    assert plan.tau[0, 0] == pytest.approx(held, rel=1e-6)
+    assert arrived.run.tau[0, 0] * RATIO == pytest.approx(plan.sampled(5e-4).tau[0, 0], rel=1e-6)
+    jerk = least_jerk(model, plan, 5e-4)
+    assert arrived.residual < 2e-3 * jerk and arrived.residual < 2e-5
+
+
+def least_jerk(model, plan, step):
+    """The residual of a path of least jerk under the same law, which also holds the weight."""
+    law = screwgen.PD(tuple(plan.kp), tuple(plan.kd), tuple(plan.q[-1]), plan.time, gravity=Holding(model))
+    steps = int(np.ceil(plan.time / step - 1e-9))
+    begin = screwgen.play(model, plan, step=step).run.q[0]
+    run = screwgen.simulate(model, (steps + round(1.0 / step)) * step, step, begin, controller=law)
+    return float(np.linalg.norm(np.ptp(run.tip_position[run.t >= plan.time], axis=0)))
+
+
+def test_other_loads_come_to_rest_each_with_the_twist_of_its_gear():
+    model, left = geared(gravity=G), []
+    for models in ((), [{"*.mass": 0.9}, {"*.mass": 1.1}]):
+        plan = screwgen.plan(model, [0.0], [1.0], 1.2, gains=LAW, models=models, fast=True)
+        loads = (screwgen.play(model, plan, parameters={"rod.bodies[0].mass": x * LOAD}) for x in (0.9, 1.1))
+        left.append(max(x.residual for x in loads))
+    assert left[1] < 0.35 * left[0]
+
+
+@pytest.mark.parametrize("elastic", [False, True])
+def test_dry_friction_of_a_motor_is_borne_where_it_acts(elastic):
+    """The arm arrives. Torques of a rigid drive, whose friction is stated at its axis, are those of Newton's law."""
+    stiff = {"coulomb": 1.0, "viscous": 0.25, "velocity": 0.01}
+    model = geared(friction=FRICTION) if elastic else geared(friction=stiff, stiffness=None)
+    plan = screwgen.plan(model, [0.0], [1.0], 1.0, gains=LAW, intervals=48)
+    assert screwgen.play(model, plan, step=5e-4).residual < 1e-3 * least_jerk(model, plan, 5e-4)
+    if not elastic:
+        v, inertia = plan.v[:, 0], RATIO**2 * ROTOR + LOAD * LENGTH**2
+        friction, slips = np.sign(v) + 0.25 * v, np.abs(v) > 0.3
+        assert slips.sum() > 30
+        assert np.abs(plan.tau[:, 0] - inertia * plan.vdot[:, 0] - friction)[slips].max() < 1e-3
+
+
+def test_friction_that_a_drive_cannot_bear_is_refused():
+    model = geared(friction={"coulomb": 0.2, "velocity": 0.5})
+    with pytest.raises(UsageError, match=r"the limits of (rates of )?efforts"):
+        screwgen.plan(model, [0.0], [1.0], 1.0, gains=LAW, limits={"efforts": [12.0], "effort_rates": [150.0]})
+
+
+def test_the_collaborative_arm_arrives():
+    """Seven axes, six of them behind gears that twist, with dry friction; a path of least jerk leaves a millimetre."""
+    model, start = example("elastic_joint"), [0.0, 0.3, 0.0, 0.8, 0.0, 0.5, 0.0]
+    law = screwgen.PD((6e3, 6e3, 3e3, 3e3, 1e3, 1e3, 100.0), (400.0, 400.0, 200.0, 200.0, 60.0, 60.0, 6.0), (0.0,) * 7)
+    goal = [0.8, 0.8, -0.3, 1.3, 0.4, 0.0, 0.5]
+    plan = screwgen.plan(model, start, goal, 1.2, gains=law, fast=True)
+    arrived = screwgen.play(model, plan)
+    assert arrived.residual < 1e-4 and arrived.residual < 0.04 * least_jerk(model, plan, 1e-3)
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda model: screwgen.gains(model, [[0.0] * 7]),
+        lambda model: screwgen.shape(model, [0.0] * 7, [0.1] * 7),
+        lambda model: screwgen.feedforward(model, np.zeros((3, 7)), np.zeros((3, 7)), 1e-3),
+        lambda model: screwgen.lqg(model, {"hand.bodies[1].mass": [0.9, 1.1]}),
+    ],
+)
+def test_what_does_not_know_elastic_drives_refuses_them(ask):
+    with pytest.raises(UsageError, match=r"'elastic_joint' has elastic drives, for which there is no "):
+        ask(example("elastic_joint"))
+
+
+def test_the_report_has_the_efforts_of_motors_times_the_ratio():
+    model, most = geared(effort=0.5), 0.5 * RATIO
+    report = screwgen.plan_report(model, screwgen.plan(model, [0.0], [1.0], 1.0, gains=LAW, fast=True), factors=(1.0,))
+    run = report.first.run
+    assert report.shares[0] == pytest.approx(RATIO * np.abs(run.tau[:-1, 0]).max() / most, rel=1e-12)
+    assert report.first.rates[0] == pytest.approx(np.abs(run.v[:, 1]).max() / RATIO, rel=1e-12)
+    assert report.robustness["stiffness"].parameters == ("rod.joint.drives[0].stiffness",)
+    assert f'<td class="n">{most:.4g}</td>' in report.html()

@@ -83,6 +83,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "hinge loop": "a loop closed by a hinge",
         "slide loop": "a loop closed by a slide",
         "welded loop": "a loop closed by a weld",
+        "compliant loop": "a loop whose joint gives way where it blocks, a slide and a hinge",
     },
     "force": {
         "none": "",
@@ -124,7 +125,7 @@ IMPOSSIBLE: dict[tuple[str, str], str] = {
     **{(drive, "given motion"): "the input of a transmission is its force" for drive in TRAVELS},
     **{(drive, "brakes"): "brakes are not known behind such gears" for drive in TRAVELS[2:]},
     **{("ball", axis): BESIDE_BALLS for axis in ("spring", "stops", "limited")},
-    **{("ball", closing): BESIDE_BALLS for closing in list(FACTORS["closing"])[1:]},
+    **{("ball", closing): BESIDE_BALLS for closing in list(FACTORS["closing"])[1:] if closing != "compliant loop"},
 }
 """Pairs that a robot file cannot state, with the reason; a test states each and is refused."""
 
@@ -144,6 +145,7 @@ LATER: dict[str, str] = {
     "given motion": "axis",
     "brakes": "axis",
     "winch": "force",
+    "compliant loop": "closing",
     "moving": "base",
 }
 """Levels with rows of their own, by factor: in the array with the others they would choose all rows anew."""

@@ -27,6 +27,8 @@ KEYS = {
     "damping": r"\ndamping = \[",
     "stiffness": r"stiffness = \[",
     "inertia": r"inertia = \[",
+    "stiffness of a row": r"\bstiffness = (?=3e4)",
+    "damping of a row": r"\bdamping = (?=7\.0)",
     "ratio": r"\{ ratio = (?=9)",
     "rotor inertia": "rotor_inertia = ",
     "gear stiffness": r"\bstiffness = (?=1e4)",
@@ -64,6 +66,8 @@ TEXTS |= dict.fromkeys(
 TEXTS["stabilisation"] = (
     f'{GOOD}\n[[loops]]\nbetween = ["upper.tip", "fore.tip"]\njoint = {{ axes = [] }}\nstabilisation = 9.0\n'
 )
+SOFT = TEXTS["stabilisation"].replace("axes = []", "axes = [], stiffness = 3e4, damping = 7.0")
+TEXTS |= dict.fromkeys(("stiffness of a row", "damping of a row"), SOFT.replace("stabilisation = 9.0\n", ""))
 COUPLED = f'couplings = [{{ axis = "fore.joint[0]", of = "upper.joint[0]", ratio = 2.0, offset = 0.5 }}]\n{GOOD}'
 TEXTS |= dict.fromkeys(("coupling ratio", "coupling offset"), COUPLED)
 TEXTS["effort"] = GOOD.replace(FREE, f"{FREE}, limits = {{ effort = 50.0 }}")

@@ -28,6 +28,7 @@ from screwgen.spec import (  # noqa: E402  # noqa: E402
     four_bar,
     joint,
     limit,
+    loop_joint,
     loops,
     markers,
     modes,
@@ -66,7 +67,7 @@ PARTS = (
     *(drive.Friction, drive.FrictionMemory, drive.Stribeck, drive.FrictionBend, drive.Transmission),
     rest.RestCurvature,
     *(four_bar.FourBar, limit.Limit, brake.Brake, spec.Body, reduced.Reduced),
-    *(loops.Loop, couplings.Coupling, forces.Force, forces.Push, markers.Marker, tendons.Tendon),
+    *(loops.Loop, loop_joint.LoopJoint, couplings.Coupling, forces.Force, forces.Push, markers.Marker, tendons.Tendon),
 )
 
 

@@ -17,6 +17,7 @@ from . import sensitivity as sy
 from .axis_laws import Place, of_link
 from .axis_terms import rotor_accelerations
 from .brake_functions import BrakeFunctions
+from .compliant_functions import CompliantFunctions
 from .force_functions import MOTION as MOTION
 from .force_functions import POSES, ForceFunctions
 from .held import hold
@@ -80,7 +81,15 @@ class ActingLaw(NamedTuple):
     values: Mapping[str, Value]
 
 
-class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunctions, BrakeFunctions):
+class Functions(
+    InputFunctions,
+    LoopFunctions,
+    CompliantFunctions,
+    ForceFunctions,
+    MarkerFunctions,
+    MomentumFunctions,
+    BrakeFunctions,
+):
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the

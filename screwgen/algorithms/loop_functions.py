@@ -10,6 +10,7 @@ from ..errors import SingularError
 from ..ir.program import Vector
 from ..joints.constraints import Ratio
 from ..topology.chain import Chain
+from ..topology.loops import ClosingRow
 from . import loops
 from . import matrices as mx
 from .columns import columns
@@ -52,7 +53,7 @@ class LoopFunctions:
         """The same where what acts on the tips is known."""
         state = self._loop_state(q, v)
         unconstrained = state.accelerations(*self.forward(q, v, *given))
-        inertia = self.given[0] if self.given else self._inertia()
+        inertia = self.given[0] if self.given else None
         with self.section("loops: accelerations of the gaps that the rows' forces must give"):
             wanted = [-(c.power(unconstrained) + c.drift) for c in state.rows]
         return state, self.braked(given.tau)._unit_answers(q, state, inertia, wanted)[0][0]
@@ -109,7 +110,7 @@ class LoopFunctions:
         """Newton's corrections, of least kinetic energy, that close the gaps and stop their rates."""
         state = self._loop_state(q, v)
         wanted = [[-c.gap for c in state.rows], [-c.rate for c in state.rows]]
-        forces, answers = self._unit_answers(q, state, self._inertia(), *wanted)
+        forces, answers = self._unit_answers(q, state, None, *wanted)
         rates, internal = v[: self.chain.nv], v[self.chain.nv :]
         new_v = [*loops.combined(rates, forces[1], answers), *internal]
         return loops.moved(self.chain, q, forces[0], answers, self.apply), new_v
@@ -140,20 +141,26 @@ class LoopFunctions:
         return [c.gap for c in state.rows], state.loads(forces)
 
     def _unit_answers(
-        self, q: Sequence, state: loops.LoopState, inertia: Sequence, *wanted: Vector
+        self, q: Sequence, state: loops.LoopState, inertia: Sequence | None, *wanted: Vector
     ) -> tuple[list[list], list[list]]:
-        """The rows' forces that give the gaps each of the ``wanted`` accelerations, and ``v̇`` by a unit force of each.
+        """The rows' forces that give the gaps each of the ``wanted`` accelerations, and ``v̇`` by a unit of each."""
+        A, answers = self._answers(q, state, inertia)
+        return self.solve_rows(A, wanted), answers
 
-        The robot is at rest, without weight, springs and dampers; ``inertia`` is that of the given coordinates.
+    def _answers(self, q: Sequence, state: loops.LoopState, inertia: Sequence | None) -> tuple[mx.Array, list[list]]:
+        """The accelerations (rows, rows) of the gaps by a unit force of each row, and ``v̇`` by it.
+
+        The robot is at rest, without weight, springs and dampers; ``inertia`` is that of the given coordinates, by
+        default their own.
         """
-        still = self.alone()
-        still.given, still.section = (inertia, [0.0] * self.chain.n_given), nullcontext
+        still, own = self.alone(), self._inertia() if inertia is None else inertia
+        still.given, still.section = (own, [0.0] * self.chain.n_given), nullcontext
         rest = [0.0] * self.chain.nv
         found = [still.forward(q, rest, *state.loads(unit)) for unit in state.units()]
         answers = [state.accelerations(*one) for one in found]
         with self.section("loops: accelerations of the gaps by unit forces of the rows"):
             A = mx.symmetric(len(answers), lambda i, j: state.rows[i].power(answers[j]))
-        return self.solve_rows(A, wanted), [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
+        return A, [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
 
     def solve_rows(self, A: mx.Array, wanted: Sequence[Vector]) -> list[list]:
         """The rows' forces x of ``A x = b`` for each b that is wanted; rows may share them."""
@@ -174,12 +181,12 @@ class LoopFunctions:
         """The inertia of the coordinates that integrators give theirs."""
         return columns(self.chain, self.constants)["M_eta"]
 
-    def _loop_state(self, q: Sequence, v: Sequence) -> loops.LoopState:
-        """The loops in a state."""
+    def _loop_state(self, q: Sequence, v: Sequence, rows: Sequence[ClosingRow] | None = None) -> loops.LoopState:
+        """The loops in a state; ``rows``: other rows than those that close the tree."""
         links, tips = self._moving_tips(q, v)
         axes = loops.Axes(self.chain.of_joints(q), self.chain.of_joints(v, rates=True))
         axes = axes._replace(
             curves={row: self._curve(second, row, axes.q) for second, row in self.chain.closing.related}
         )
         with self.section("loops: gaps, their rates and what their accelerations are without those of the tips"):
-            return loops.LoopState(self.chain, tips, axes, [mx.array(link["R"], (3, 3)) for link in links])
+            return loops.LoopState(self.chain, tips, axes, [mx.array(link["R"], (3, 3)) for link in links], rows)

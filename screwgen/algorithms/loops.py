@@ -193,19 +193,35 @@ class Loads(NamedTuple):
 
 
 class LoopState:
-    """The loops of a chain in a state; `rotations`: that of F_i of every link."""
+    """The loops of a chain in a state; `rotations`: those of F_i of all links; `rows`: else those that close it."""
 
-    def __init__(self, chain: Chain, tips: Sequence[Tip], axes: Axes, rotations: Sequence):
+    def __init__(
+        self,
+        chain: Chain,
+        tips: Sequence[Tip],
+        axes: Axes,
+        rotations: Sequence,
+        rows: Sequence[ClosingRow] | None = None,
+    ):
         self.chain, self.tips, self.axes, self.rotations = chain, tips, axes, rotations
-        self.rows = [row_at(c, tips, axes) for c in chain.closing.rows]
+        self.rows = [row_at(c, tips, axes) for c in (chain.closing.rows if rows is None else rows)]
 
     def accelerations(self, links: Sequence[Mapping], places: Sequence[Mapping[str, Sequence]]) -> TipsAndAxes:
         """[angular; of the point, less free fall] of all tips, and of all axes, after forward dynamics."""
         nodes = [places[self.chain.tree.tip(i)] for i in range(self.chain.n)]
         sums = [[a + b for a, b in zip(node["acc_0"], node["delta"], strict=True)] for node in nodes]
-        tips = [mx.rotate_wrench(R, mx.array(x)) for R, x in zip(self.rotations, sums, strict=True)]
         vdot = self.chain.join(links, "qddot", "etaddot")
-        return TipsAndAxes(tips, self.chain.of_joints(vdot, rates=True))
+        return TipsAndAxes(self._inertial(sums), self.chain.of_joints(vdot, rates=True))
+
+    def drifts(self, places: Sequence[Mapping[str, Sequence]]) -> list[Value]:
+        """The accelerations of all gaps while no coordinate accelerates; ``places`` as of :meth:`accelerations`."""
+        tips = self._inertial([places[self.chain.tree.tip(i)]["acc_0"] for i in range(self.chain.n)])
+        still = TipsAndAxes(tips, [0.0] * len(self.axes.q))
+        return [row.power(still) + row.drift for row in self.rows]
+
+    def _inertial(self, tips: Sequence[Sequence]) -> list[Array]:
+        """Accelerations of all tips in inertial axes."""
+        return [mx.rotate_wrench(R, mx.array(x)) for R, x in zip(self.rotations, tips, strict=True)]
 
     def wrenches(self, forces: Vector) -> list[Value]:
         """The wrenches on all tips, in their tip frames, of forces of the rows: six numbers for each tip."""

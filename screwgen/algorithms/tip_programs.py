@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
+from ..ir.program import Program
+from ..topology.chain import Chain
+from .dae_functions import DaeFunctions
 from .functions import Functions
-from .fused import Outputs, program
+from .fused import Outputs, fuse, inputs, program
 
 
 @program("q v tau w_ext m_eta f_eta")
@@ -28,6 +31,42 @@ def loop_wrenches(f: Functions, **x: Sequence) -> Outputs:
 def acting_wrenches(f: Functions, q: Sequence, v: Sequence, w_ext: Sequence, tau: Sequence = ()) -> Outputs:
     """``(q, v, w_ext) -> (acted)``: the wrenches on all tips in their frames, those of forces included."""
     return {"acted": f.under_inputs(tau).with_forces(q, v, w_ext)}
+
+
+def row_terms(chain: Chain, constants: str = "parameters", dae: bool = False) -> Program:
+    """``(q, v) -> (terms)``: of the rows of joints that give way, see :mod:`.compliant_functions`.
+
+    ``dae``: of a state ``x`` of the DAE form in place of ``q`` and ``v``.
+    """
+
+    def body(f: Functions, x: Mapping[str, Sequence]) -> Outputs:
+        return {"terms": f.row_terms(*_state(f, x))}
+
+    return fuse(
+        chain, "row_terms", inputs(chain, "x" if dae else "q v"), body, constants, DaeFunctions if dae else Functions
+    )
+
+
+def row_wrenches(chain: Chain, constants: str = "parameters", dae: bool = False) -> Program:
+    """``(q, v, tau, w_ext, m_eta, f_eta, terms, h, ahead) -> (acted)``: wrenches with what they bear besides."""
+
+    def body(f: Functions, x: Mapping[str, Sequence]) -> Outputs:
+        f.given = (x["m_eta"], x["f_eta"])
+        q, v = _state(f, x)
+        return {"acted": f.with_rows(q, v, x["tau"], x["w_ext"], x["terms"], x["h"][0], x["ahead"][0])}
+
+    given = inputs(chain, f"{'x' if dae else 'q v'} tau w_ext m_eta f_eta")
+    given = {**given, "terms": 2 * len(chain.compliant), "h": 1, "ahead": 1}
+    return fuse(chain, "row_wrenches", given, body, constants, DaeFunctions if dae else Functions)
+
+
+COMPLIANT = (row_terms, row_wrenches)
+"""What implicit stages run before their dynamics where joints of loops give way: at the start, and at their states."""
+
+
+def _state(f: Functions, x: Mapping[str, Sequence]) -> tuple[Sequence, Sequence]:
+    """Coordinates and rates, of the state of either form."""
+    return f.coordinates(x["x"]) if isinstance(f, DaeFunctions) else (x["q"], x["v"])
 
 
 @program("q v")

@@ -178,7 +178,7 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
 def _loops(model: Model) -> list[dict]:
     """Every loop's markers, and their rows among the loops' wrenches."""
     ends = {row.loop: [row.first, row.second] for row in model.chain.closing.rows}
-    return [{"between": list(loop.between), "rows": ends.get(k, [])} for k, loop in enumerate(model.robot.loops)]
+    return [{"between": list(loop.between), "rows": ends.get(k, [])} for k, loop in model.robot.rigid_loops.items()]
 
 
 # ------------------------------------------------------------------------------ analyse

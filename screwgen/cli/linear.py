@@ -300,7 +300,7 @@ def text(model: Model, e: Equilibrium) -> str:
         ]
         lines += [" " * 29 + heads(2)]
         small = float(np.max(np.abs(e.loop_wrench)))
-        ends = {end.removesuffix(".tip") for loop in model.robot.loops for end in loop.between}
+        ends = {end.removesuffix(".tip") for loop in model.robot.rigid_loops.values() for end in loop.between}
         for link, wrench in zip(model.robot.links, e.loop_wrench, strict=True):
             if link.name in ends:
                 lines.append(f"  {link.name:27}" + row(wrench[:3], small) + row(wrench[3:], small))

@@ -51,7 +51,11 @@ class TracedAccelerations:
                 inertia[i], force[i] = inertia[i] + found["inertia"][0], force[i] + found["force"][0]
         under = copy(self.f)
         under.given = list(inertia), list(force)
-        vdot = under.forward_dynamics(list(q_there), list(v_there), *self.held)[0]
+        (tau, w_ext), moved = self.held, (list(q_there), list(v_there))
+        if chain.compliant and not isinstance(h, float):
+            ahead = float(there is not None and there[0] is not q)
+            w_ext = under.with_rows(*moved, tau, w_ext, under.row_terms(list(q), list(v)), h, ahead)
+        vdot = under.forward_dynamics(*moved, tau, w_ext)[0]
         rate_of = lambda law, i, given: self.f.apply(0, -1, state_rate(law), given | {"a": [vdot[i]]})  # noqa: E731
         order = sorted(remembering, key=lambda one: one[0])
         start = list(v[chain.force_states])

@@ -252,6 +252,8 @@ class InteractionClass:
     stated: tuple[str, ...]
     """The names of the numbers that are stated."""
     chosen: tuple[tuple[str, bool], ...]
+    structure: tuple[tuple[str, Any], ...] = ()
+    """Further keys of its laws that are no numbers, such as the directions of a joint."""
 
     def wrench(self, t: Any, x: Relative, numbers: Sequence[Value]) -> WrenchOnSecond:
         """The wrench of the numbers that are stated, entry by entry, and of the inputs and states behind them."""
@@ -316,7 +318,7 @@ class InteractionClass:
             value = next(rest) if name in self.inputs else 0.0
             given |= {entry.adds_to: given[entry.adds_to] + value} if entry.adds_to else {name: value}
         given |= {name: next(rest) if name in self.states else 0.0 for name in self.kind.STATES}
-        return given | dict(self.chosen)
+        return given | dict(self.chosen) | dict(self.structure)
 
     @property
     def count(self) -> int:

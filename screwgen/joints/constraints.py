@@ -71,7 +71,7 @@ Row = Distance | Angle | Ratio
 Demand = Distance | Angle | Alignment | Ratio
 
 
-def rows(screws: Sequence[Screw]) -> tuple[Row, ...]:
+def rows(screws: Sequence[Screw]) -> tuple[Distance | Angle, ...]:
     """The rows of a joint: three less one per slide, then three less one per turn."""
     slides = [np.array(s.axis) for s in screws if not s.turn]
     turns = [np.array(s.axis) for s in screws if s.turn]

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ..algorithms.tip_programs import COMPLIANT
 from ..arguments import Numbers
 from ..backends.numpy.dae_step import DaeDynamics, HeldDae
 from ..integrators.method import Method
@@ -24,7 +25,9 @@ def dynamics(model: RobotModel, p: Numbers) -> DaeDynamics:
 
     properties = at_p("modal_properties")()
     memory = at_p("dae_force_rates") if model.chain.n_force_states else None
-    return DaeDynamics(model.chain, properties, at_p("dae_dynamics"), at_p("project"), at_p("joint_rates"), memory)
+    rows = [at_p(f"dae_{x.__name__}") for x in COMPLIANT] if model.chain.compliant else ()
+    solve = at_p("dae_dynamics"), at_p("project"), at_p("joint_rates")
+    return DaeDynamics(model.chain, properties, *solve, memory, rows)
 
 
 class DaeStepper:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
+from ..algorithms.tip_programs import COMPLIANT
 from ..arguments import Numbers
 from ..backends.numpy.dae_step import space_of
 from ..backends.numpy.own_forces import CoordinateForces
@@ -89,6 +90,7 @@ class Dynamics:
         self.own = CoordinateForces.of_columns(model.chain, CasadiEvaluator(functions["modal_properties"])(self.p))
         self.states = model.chain.force_states
         self.memory = CasadiEvaluator(functions["force_rates"]) if model.chain.n_force_states else None
+        self.rows = [CasadiEvaluator(functions[x.__name__]) for x in COMPLIANT] if model.chain.compliant else None
 
     def explicit(self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> list[np.ndarray]:
         """`vdot` (nvz,) and the joint wrenches (6 n,)."""
@@ -117,7 +119,12 @@ class Dynamics:
     ) -> np.ndarray:
         """`vdot` (nvz,) with the forces of modes and joints implicit, `h` after `q, v`; the rest is that at `there`."""
         own = self.own.over(q, v, h, there[1])
-        vdot = self.evaluate(*there, tau, w_ext, own.inertia(h), own.force_of(q, v, h), self.p)[0]
+        felt = own.inertia(h), own.force_of(q, v, h)
+        if self.rows is not None:
+            terms, wrenches = self.rows
+            ahead = np.array([h, there[0] is not q])
+            w_ext = wrenches(*there, tau, w_ext, *felt, terms(q, v, self.p)[0], *ahead, self.p)[0]
+        vdot = self.evaluate(*there, tau, w_ext, *felt, self.p)[0]
         return self._with_internal(own, vdot, v, tau, h, there)
 
 

@@ -26,6 +26,7 @@ from ..spec.parameters import changes, turning
 from . import mobility
 from .inputs import Inputs, coordinates, started
 from .integrate import CasadiEvaluator, Dynamics, holding
+from .linearised_rows import LinearisedRows
 
 Parameters = Sequence[float] | Mapping[str, float]
 Law = Callable[[float, np.ndarray, np.ndarray], Numbers]
@@ -100,6 +101,7 @@ class Linearised:
         self.trim: np.ndarray | None = None
         self.armature = np.zeros(model.nv)
         self._known: dict[float, AccelerationSlopes] = {}
+        self._known_rows: LinearisedRows | None = None
 
     def trimmed(self) -> Linearised:
         """The same about the same state, with constant generalised forces that make the accelerations zero."""
@@ -119,7 +121,7 @@ class Linearised:
     def with_armature(self, armature: np.ndarray) -> Linearised:
         """The same, trimmed, with so much more inertia (nv,) of the coordinates."""
         out = copy(self)
-        out.armature, out._known = armature, {}
+        out.armature, out._known, out._known_rows = armature, {}, None
         out.__dict__.pop("mass_matrix", None)
         return out
 
@@ -174,7 +176,19 @@ class Linearised:
         force = own.slopes.force(own.of_rates(q), own.of_rates(v), h)
         if own.laws:
             force = force + own.softened(own.of(self.q), *map(own.of_rates, (self.v, self._felt(h), at_v, q)))
-        return a.q @ at_q + a.v @ at_v + a.tau @ self.gains + a.force @ force
+        out = a.q @ at_q + a.v @ at_v + a.tau @ self.gains + a.force @ force
+        if self.model.chain.compliant and h:
+            ahead = there is not None and not np.array_equal(there[0], q)
+            out = out + self._rows(h).added((q, v), (at_q, at_v), out, ahead)
+        return np.asarray(out)
+
+    def _rows(self, h: float) -> LinearisedRows:
+        """The rows of joints that give way, over a step of `h` seconds."""
+        if self._known_rows is None or self._known_rows.h != h:
+            heavy, brakes = self._balance.over(self._inertia_over(h)), self._balance
+            answers = lambda J: prescribed.answers(self.model.chain, heavy, brakes.share[:, None] * J.T)  # noqa: E731
+            self._known_rows = LinearisedRows.of(self.numeric, self.q, h, answers)
+        return self._known_rows
 
     def _felt(self, h: float) -> np.ndarray:
         """The rates (nv,) that dry friction resists: those `h` later, as the accelerations lead to them."""
@@ -203,9 +217,7 @@ class Linearised:
 
         Where loops close the tree `M_h a_h − Jᵀ λ = M a` with `J a_h = J a`.
         """
-        n, heavy = self.model.chain.n_given, self.mass_matrix.copy()
-        own = slice(self.model.nv - n, None)
-        heavy[own, own] += self.model.chain.modal_product(self.own.added(h)[:, None], np.eye(n))
+        heavy = self._inertia_over(h)
         given, force = prescribed.places(self.model.chain), self.mass_matrix - np.diag(self.armature)
         brakes = self._balance
         heavy, force = brakes.over(heavy), brakes.over(force)
@@ -217,6 +229,13 @@ class Linearised:
             reach = prescribed.answers(self.model.chain, heavy, brakes.share[:, None] * J.T)
             factor += reach @ self.numeric.row_forces(J @ reach, J @ (np.eye(len(heavy)) - factor))
         return AccelerationSlopes(*(factor @ slope for slope in self._light))
+
+    def _inertia_over(self, h: float) -> np.ndarray:
+        """The mass matrix with the forces of modes and joints implicit over `h`."""
+        n, out = self.model.chain.n_given, self.mass_matrix.copy()
+        own = slice(self.model.nv - n, None)
+        out[own, own] += self.model.chain.modal_product(self.own.added(h)[:, None], np.eye(n))
+        return out
 
     @cached_property
     def _balance(self) -> BalancedRates:

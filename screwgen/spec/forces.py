@@ -17,7 +17,7 @@ from pydantic import Field, PlainSerializer, PlainValidator, model_serializer, m
 
 from ..interactions import KINDS, Interaction, Number
 from .input import Input
-from .loops import marked
+from .loops import Loop, marked
 from .markers import ENDS
 from .messages import unknown
 from .names import link_name
@@ -206,10 +206,10 @@ class InputsOfForces(Input):
     quantity = "force_input"
 
     def names(self, robot: Robot) -> list[str]:
-        return [f"{force.name}.{name}" for force in robot.forces for name in force.law.shape.inputs]
+        return [f"{force.name}.{name}" for force in robot.acting_forces for name in force.law.shape.inputs]
 
     def units(self, robot: Robot) -> list[str]:
-        return [entry.unit for force in robot.forces for entry in force.law.shape.inputs.values()]
+        return [entry.unit for force in robot.acting_forces for entry in force.law.shape.inputs.values()]
 
 
 FORCE_INPUTS = InputsOfForces()
@@ -243,6 +243,11 @@ def _is_marker(value: Any) -> bool:
 def refuse_forces(robot: Robot) -> None:
     """Refuse forces at no marker of the robot, between a link's section and itself, and names that occur twice."""
     taken = {link.name.upper(): f"the name of a link, {link.name}" for link in robot.links}
+    for own in forces_of_loops(robot.loops):
+        if said := taken.get(own.name.upper()):
+            which: Path = ("loops", int(own.name.rpartition("_")[2]))
+            raise refuse(f"has the name {own.name} in generated code, {said}; choose another name for the link", which)
+        taken[own.name.upper()] = "the name of a loop whose joint gives way"
     for table in ("forces", "pushes"):
         for k, one in enumerate(getattr(robot, table)):
             at: Path = (table, k)
@@ -271,6 +276,13 @@ def _markers(force: Force) -> Iterator[tuple[int, str]]:
 def marked_ends(robot: Robot) -> Iterator[str]:
     """The markers at which forces act, in the order of the file."""
     return (x for force in robot.forces for _, x in _markers(force))
+
+
+def forces_of_loops(loops: Sequence[Loop]) -> Iterator[Force]:
+    """The loops whose joints give way, as forces between their markers."""
+    for k, loop in enumerate(loops):
+        if (law := loop.joint.law) is not None:
+            yield Force.model_construct(name=f"loop_{k}", between=loop.between, law=law)
 
 
 def links_of(links: Sequence[Link], force: Force) -> list[int]:

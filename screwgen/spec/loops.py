@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import Field, PlainValidator
 
 from ..joints.screw import Screw
-from .joint import PER_AXIS, Joint
+from .loop_joint import LoopJoint
 from .markers import TIP, named, reached, split
 from .parents import WORLD
 from .part import Part
@@ -46,10 +46,17 @@ class Loop(Part):
     between: Annotated[Ends, PlainValidator(ends)] = Field(
         description='the markers that the loop joins, as ["rod.tip", "casting.hook"]'
     )
-    joint: Joint = Field(description='the motions that the loop leaves free, as { axes = ["y"] }; [] welds them')
+    joint: LoopJoint = Field(
+        description='the motions that the loop leaves free, as { axes = ["y"] }; [] welds them; and how it gives way'
+    )
     stabilisation: Annotated[float, PlainValidator(within("stabilisation"))] = Field(
         STABILISATION, description="the rate at which an open gap closes, rad/s"
     )
+
+    @property
+    def rigid(self) -> bool:
+        """Whether it closes the tree; one that gives way is a force between its markers."""
+        return self.joint.stiffness is None
 
 
 def refuse_loops(links: Sequence[Link], loops: Sequence[Loop]) -> None:
@@ -59,6 +66,9 @@ def refuse_loops(links: Sequence[Link], loops: Sequence[Loop]) -> None:
         (first, _), (second, _) = (joined(links, loop, k, (*at, "between", k)) for k in range(2))
         if first == second:
             raise refuse("joins a link with itself; name markers of two links", (*at, "between"))
+        if not loop.rigid and "stabilisation" in loop.model_fields_set:
+            said = "is stated of a loop whose joint gives way, which has no gap to close; leave it out"
+            raise refuse(said, (*at, "stabilisation"))
         _refuse_joint(loop.joint, (*at, "joint"))
 
 
@@ -90,14 +100,7 @@ def places_between(links: Sequence[Link], markers: Iterable[str]) -> dict[int, d
     return out
 
 
-def _refuse_joint(joint: Joint, at: Path) -> None:
-    if joint.mount is not None:
-        what = "is stated, but a loop's joint sits at its first marker"
-        raise refuse(f"{what}; leave it out, or weld a link there to have the joint elsewhere", (*at, "mount"))
-    for key in PER_AXIS:
-        if getattr(joint, key) is not None:
-            what = "is stated, but nothing drives a loop's joint; leave it out"
-            raise refuse(what, (*at, key))
+def _refuse_joint(joint: LoopJoint, at: Path) -> None:
     turned: list[Screw] = []
     for k, screw in enumerate(joint.screws):
         if screw.turn and screw.slides:

@@ -55,7 +55,7 @@ def parameters(robot: Robot) -> tuple[Parameter, ...]:
 
 def of_forces(robot: Robot) -> Iterator[Parameter]:
     """The parameters of forces between frames."""
-    for force in robot.forces:
+    for force in robot.acting_forces:
         for field, value, unit, meaning, sign, index in force.values:
             name = f"{force.name}.{field.rpartition('.')[2]}{''.join(f'[{k}]' for k in index)}"
             yield Parameter(name, value, unit, None, field, index, meaning, sign)
@@ -238,7 +238,7 @@ def per_internal(robot: Robot) -> dict[str, str]:
             slides = axes is None and not link.joint.screws[axis].turn
             assert law.state is not None
             out[f"{link.name}.{law.state_name}[{axis}]"] = law.state.sliding if slides else law.state.unit
-    for force in robot.forces:
+    for force in robot.acting_forces:
         out |= {f"{force.name}.{name}_state[0]": one.unit for name, one in force.law.shape.states.items()}
     return out
 

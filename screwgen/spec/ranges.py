@@ -79,6 +79,8 @@ RANGES = {
     "armature": Range(non_negative, 1e-12, 1e12, "kg·m² or kg"),
     "damping": Range(non_negative, 1e-12, 1e18, "N·m·s/rad or N·s/m"),
     "stiffness": Range(non_negative, 1e-12, 1e24, "N·m/rad or N/m"),
+    "stiffness of a row": Range(positive, 1e-9, 1e18, "N/m"),
+    "damping of a row": Range(non_negative, 1e-12, 1e18, "N·s/m"),
     "ratio": Range(positive, 1e-6, 1e9, "1 or rad/m"),
     "rotor inertia": Range(positive, 1e-12, 1e12, "kg·m² or kg"),
     "gear stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),

@@ -13,7 +13,7 @@ from ..errors import UsageError
 from ..joints.screw import Vector
 from .base import FIXED, FLOATING, MOVING, check_in_space
 from .couplings import Coupling, refuse_couplings
-from .forces import Force, Push, refuse_forces
+from .forces import Force, Push, forces_of_loops, refuse_forces
 from .frequencies import Frequencies
 from .input import made_in_python
 from .joint import XYZ, Joint
@@ -236,6 +236,16 @@ class Robot(Part):
     pushes: tuple[Push, ...] = Field((), description="markers at which wrenches act from outside, [[pushes]] tables")
 
     @property
+    def rigid_loops(self) -> dict[int, Loop]:
+        """The loops that close the tree, by their numbers in the file."""
+        return {k: loop for k, loop in enumerate(self.loops) if loop.rigid}
+
+    @property
+    def acting_forces(self) -> tuple[Force, ...]:
+        """The forces between frames, and behind them the loops whose joints give way, which are such forces."""
+        return (*self.forces, *forces_of_loops(self.loops))
+
+    @property
     def floating(self) -> bool:
         """Whether the first link has no joint, and its pose is part of the state."""
         return self.base != FIXED
@@ -310,8 +320,8 @@ def refuse_beside_balls(robot: Robot) -> None:
     joint = f"a {ball.joint.kind.name} joint, that of link '{ball.name}'"
     beside = f"is stated of a robot with {joint}, beside which it is not known yet"
     beside += f'; leave it out, or give \'{ball.name}\' axes in place of "ball", as axes = ["x", "y", "z"]'
-    for name in CLOSING:
-        if getattr(robot, name):
+    for name, stated in (("loops", robot.rigid_loops), ("couplings", robot.couplings)):
+        if stated:
             raise refuse(beside, at=(name,))
     for i, link in enumerate(robot.links):
         for name in ("drives", "limits", "elements"):

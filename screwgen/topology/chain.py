@@ -27,7 +27,7 @@ from ..spec.parameters import turning
 from ..spec.robot import Robot
 from ..spec.segments import segments
 from .coordinates import Coordinates
-from .forces import placed_forces
+from .forces import CompliantRow, compliant_rows, placed_forces
 from .inputs import ChosenInputs
 from .loops import Closing
 from .markers import PlacedMarker, markers
@@ -99,6 +99,11 @@ class Chain(Coordinates, ChosenInputs):
         """The coordinates whose motion is given: the place in ``v`` by the number of the input, their acceleration."""
         base = range(self.n_tau)[self.inputs[kinds.BASE_MOTION]] if self.moving else ()
         return {k: self.held_places[k] for k in self.prescribed} | {k: place for place, k in enumerate(base)}
+
+    @cached_property
+    def compliant(self) -> tuple[CompliantRow, ...]:
+        """The rows of loops whose joints give way."""
+        return compliant_rows(self.forces)
 
     @property
     def n_force_states(self) -> int:

@@ -9,11 +9,12 @@ import numpy as np
 
 from ..errors import UsageError
 from ..interactions import InteractionClass
+from ..joints.compliant import ROWS
 from ..spec.forces import WorldPoint
 from ..spec.loops import marked
 from ..spec.robot import Robot
 from ..spec.segments import Segment
-from .loops import segment_at
+from .loops import ClosingRow, segment_at
 
 
 @dataclass(frozen=True)
@@ -61,12 +62,30 @@ class PlacedForce:
 def placed_forces(robot: Robot, segments: Sequence[Segment]) -> tuple[PlacedForce, ...]:
     """The forces of a robot in the order of the file."""
     out: list[PlacedForce] = []
-    for force in robot.forces:
+    for force in robot.acting_forces:
         at = lambda x: None if isinstance(x, WorldPoint) else segment_at(robot, segments, *marked(robot.links, x))  # noqa: E731
         first, count = (out[-1].first + out[-1].count if out else 0), len(list(force.values))
         ends = (at(force.between[0]), at(force.between[1]))
         further = (out[-1].inputs.stop, out[-1].states.stop) if out else (0, 0)
         out.append(PlacedForce(force.name, force.law.shape, ends, first, count, *further))
+    return tuple(out)
+
+
+@dataclass(frozen=True)
+class CompliantRow:
+    """A row of a loop whose joint gives way, and the force between frames that the joint is."""
+
+    closing: ClosingRow
+    force: PlacedForce
+
+
+def compliant_rows(forces: Sequence[PlacedForce]) -> tuple[CompliantRow, ...]:
+    """The rows of all loops whose joints give way, which have no gap to close."""
+    out: list[CompliantRow] = []
+    for force in forces:
+        for row in dict(force.shape.structure).get(ROWS, ()):
+            first, second = force.tips
+            out.append(CompliantRow(ClosingRow(-1, first, second, row, 0.0, force.name), force))
     return tuple(out)
 
 

@@ -99,7 +99,7 @@ def segment_at(robot: Robot, segments: Sequence[Segment], link: int, s: float) -
 def junctions(robot: Robot, segments: Sequence[Segment]) -> tuple[Junction, ...]:
     """The loops in the order of the file, then the couplings."""
     out = []
-    for k, loop in enumerate(robot.loops):
+    for k, loop in robot.rigid_loops.items():
         first, second = (segment_at(robot, segments, *joined(robot.links, loop, end)) for end in range(2))
         out.append(Junction(k, first, second, demands(loop.joint.screws), f"loop[{k}]"))
     firsts = [i for i, segment in enumerate(segments) if segment.first]
@@ -118,12 +118,12 @@ def closing_rows(robot: Robot, junctions: Sequence[Junction]) -> tuple[ClosingRo
     """All rows of all loops, in the order of the file, then those of couplings."""
     loops = (
         ClosingRow(j.loop, j.first, j.second, row, loop.stabilisation, j.name)
-        for j, loop in zip(junctions, robot.loops, strict=False)
+        for j, loop in zip(junctions, robot.rigid_loops.values(), strict=False)
         for row in rows(loop.joint.screws)
     )
     couplings = (
         ClosingRow(j.loop, j.first, j.second, row, coupling.stabilisation, j.name)
-        for j, coupling in zip(junctions[len(robot.loops) :], robot.couplings, strict=True)
+        for j, coupling in zip(junctions[len(robot.rigid_loops) :], robot.couplings, strict=True)
         for row in j.demands
         if isinstance(row, Ratio)
     )

@@ -106,7 +106,7 @@ def scene(model: Model, p: np.ndarray | None = None, q: np.ndarray | None = None
     thin = thinnest(links, size)
     started = numeric.tip_poses(np.array(rest if q is None else q, float))[1]
     whole: dict[str, Any] = {"lines": list(lines(model, values, started, thin)), "links": links}
-    whole |= {"name": robot.name, "size": size, "gravity": gravity, "nq": model.nq, "closed": bool(robot.loops)}
+    whole |= {"name": robot.name, "size": size, "gravity": gravity, "nq": model.nq, "closed": bool(robot.rigid_loops)}
     return whole
 
 

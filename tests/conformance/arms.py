@@ -68,6 +68,7 @@ LOOPS: dict[str, list] = {
     "slide loop": [{"slide": "x"}],
     "welded loop": [],
 }
+COMPLIANT = {"axes": [{"slide": [0.6, 0.0, 0.8]}, "y"], "stiffness": 35.0, "damping": 1.2}
 STRUT = {"stiffness": 60.0, "rest": 0.2, "damping": 3.0}
 ROPE = {"stiffness": 9.0, "rest": 0.4, "damping": 1.5, "slack": True}
 WINCH = {"stiffness": 40.0, "rest": 0.3, "damping": 2.0, "winch": True}
@@ -108,8 +109,10 @@ def arm_of(row: Row) -> dict:
     if row["closing"] == "coupling":
         robot["links"].append(_hand())
         robot["couplings"] = [{"axis": "hand.joint[1]", "of": _leader(row), "ratio": -0.7, "offset": 0.2}]
-    if row["closing"] in LOOPS:
+    if row["closing"] in (*LOOPS, "compliant loop"):
         robot["links"].append(_post(row))
+    if row["closing"] == "compliant loop":
+        robot["loops"] = [{"between": ["fore.tip", "post.tip"], "joint": copy.deepcopy(COMPLIANT)}]
     return robot | copy.deepcopy(FORCES.get(row["force"], {}) | PUSHES.get(row["push"], {}))
 
 

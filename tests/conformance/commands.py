@@ -85,7 +85,7 @@ def every_command(case: Case) -> None:
     between frames, may say what these are too much for.
     """
     os.environ["CC"] = TCC
-    commands, strained = lines(written(case)), STRAINED * bool(case.robot.get("forces"))
+    commands, strained = lines(written(case)), STRAINED * bool(case.model.chain.forces)
     with derived_once(case):
         outcomes = {name: called(line) for name, line in commands.items()}
     for name, found in outcomes.items():

@@ -85,6 +85,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "hinge loop": "a loop closed by a hinge",
         "slide loop": "a loop closed by a slide",
         "welded loop": "a loop closed by a weld",
+        "compliant loop": "a loop whose joint gives way where it blocks, a slide and a hinge",
     },
     "force": {
         "none": "",
@@ -135,7 +136,7 @@ IMPOSSIBLE: dict[tuple[str, str], str] = {
     **{(drive, "given motion"): "the input of a transmission is its force" for drive in TRAVELS},
     **{(drive, "brakes"): "brakes are not known behind such gears" for drive in TRAVELS[2:]},
     **{("ball", axis): BESIDE_BALLS for axis in ("spring", "stops", "limited")},
-    **{("ball", closing): BESIDE_BALLS for closing in list(FACTORS["closing"])[1:]},
+    **{("ball", closing): BESIDE_BALLS for closing in list(FACTORS["closing"])[1:] if closing != "compliant loop"},
 }
 """Pairs that a robot file cannot state, with the reason; a test states each and is refused."""
 
@@ -144,7 +145,7 @@ BUILT_OTHERWISE: dict[tuple[str, str], str] = {
 }
 """Pairs that the two links of the matrix leave no place for; another robot may have them."""
 
-LATER: dict[str, str] = {}
+LATER: dict[str, str] = {"compliant loop": "closing"}
 """Levels with rows of their own, by factor: those that came after the array was chosen, whose rows would all change."""
 
 NEEDS: dict[str, tuple[str, ...]] = {

@@ -94,11 +94,15 @@ class Outer:
         winches = iter(ca.vertsplit(wound) if wound.numel() else ())
         z, changing = ca.SX.sym("z", len(self.relaxed)), ca.SX(0, 1)
         on_tips, on_rows = ca.SX.zeros(6, self.oracle.n), ca.SX.zeros(6, len(self.rows))
-        for stated in self.robot.get("forces", []):
+        giving_way = [x for x in self.robot.get("loops", []) if "stiffness" in x["joint"]]
+        for stated in [*self.robot.get("forces", []), *giving_way]:
             ends = [self._end(x) for x in stated["between"]]
             drum = ca.horzsplit(next(winches)) if "winch" in stated.get("line", {}) else (0.0, 0.0)
             line = "line" in stated
-            own = self._line(stated["line"], *ends, *drum) if line else self._bushing(stated["bushing"], *ends)
+            if "joint" in stated:
+                own = self._joint(stated["joint"], *ends)
+            else:
+                own = self._line(stated["line"], *ends, *drum) if line else self._bushing(stated["bushing"], *ends)
             if "relaxation" in stated.get("line", {}):
                 own, rate = self._relaxing(stated["line"], own, *ends, z[changing.numel()])
                 changing = ca.vertcat(changing, rate)
@@ -167,6 +171,23 @@ class Outer:
         slope = ca.gradient(wound((ca.SX.eye(3) + ca.skew(turn)) @ R), turn)
         torque = -ca.substitute(slope, turn, ca.SX.zeros(3)) - C[3:] * rate[3:]
         return Acting(force, energy, R_a @ torque, -R_a @ (K[:3] * d + C[:3] * rate[:3]))
+
+    def _joint(self, law: dict, first: Frame, second: Frame) -> Acting:
+        """A joint that leaves a slide and a turn free and gives way in all else: across the slide, and by the sine of
+        the angle between the axis of the turn in both frames."""
+        (slide, axis), (R_a, a), (R_b, b) = law["axes"], first, second
+        along, about = ca.DM(slide["slide"]), ca.DM([float(x == axis) for x in "xyz"])
+        k, c, turn = law["stiffness"], law["damping"], ca.SX.sym("turn", 3)
+        across = lambda n, x: x - n * ca.dot(n, x)  # noqa: E731
+        d, R = across(along, R_a.T @ (b - a)), R_a.T @ R_b
+        tilted = lambda turned: across(about, (ca.SX.eye(3) + ca.skew(turned)) @ R @ about)  # noqa: E731
+        off = tilted(ca.SX.zeros(3))
+        gap = ca.vertcat(d, off)
+        rate = rates([gap], self.oracle.q, self.oracle.v)[0]
+        stress = k * gap + c * rate
+        force = -ca.jtimes(gap, self.oracle.q, stress, True)
+        torque = -ca.substitute(ca.jtimes(tilted(turn), turn, stress[3:], True), turn, ca.SX.zeros(3))
+        return Acting(force, k * ca.sumsqr(gap) / 2, R_a @ torque, -R_a @ stress[:3])
 
     def _on_tip(self, place: Place, torque: ca.SX, load: ca.SX, point: ca.SX) -> ca.SX:
         """(6, n): the equivalent on the tip of the link of what acts at a point of the section."""

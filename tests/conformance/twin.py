@@ -136,5 +136,7 @@ def as_turns(robot: dict) -> dict:
         robot["links"][0] = robot["links"][0] | {"joint": {"axes": JOINTS}}
     first = {name.removesuffix("_0"): name for name in (x["name"] for x in robot["links"]) if name.endswith("_0")}
     moved = lambda name: first.get(name.split(".")[0], name.split(".")[0]) + "." + name.split(".")[1]  # noqa: E731
+    loops = [x for x in robot.pop("loops", []) if "stiffness" not in x["joint"]]
+    robot |= {"loops": loops} if loops else {}
     couplings = [x | {key: moved(x[key]) for key in ("axis", "of")} for x in robot.get("couplings", [])]
     return {key: x for key, x in robot.items() if key != "base"} | ({"couplings": couplings} if couplings else {})

@@ -110,7 +110,7 @@ def energy(case: Case) -> None:
         "line spring",
         "winch",
     }
-    if not (lossy | {"rope", "bushing"}) & set(case.features) and not any(
+    if not (lossy | {"rope", "bushing", "compliant loop"}) & set(case.features) and not any(
         "damping" in d for link in case.robot["links"] for d in link["joint"].get("drives", [])
     ):
         assert abs(lost) <= 1e-5 * scale, f"{lost:.3g} W vanish"
@@ -171,7 +171,7 @@ def closed(case: Case) -> tuple[np.ndarray, np.ndarray]:
 
 def modes(case: Case) -> None:
     """Vibrations are those of mass matrix and springs in the motions that loops leave, joints locked and free."""
-    if case.robot.get("forces"):
+    if case.model.chain.forces:
         return modes_beside_forces(case)
     model, q = case.model, closed(case)[0]
     chain, f = model.chain, model.numpy(np.append(np.zeros(3), model.parameter_values[3:]))

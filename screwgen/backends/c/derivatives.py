@@ -43,7 +43,8 @@ def content(
     )
     recursion = recursive_slopes.content(chain, baked) if recursive_slopes.is_chosen(chain, layout) else None
     made = _by_recursion(recursion) if recursion else _in_pieces(chain, baked, place)
-    made |= step_derivatives.content(chain, methods, made["operations"] + solve)
+    derived = {name: method for name, method in methods.items() if not without_step(chain, method)}
+    made |= step_derivatives.content(chain, derived, made["operations"] + solve)
     return made | {
         "recursion": recursion,
         "solve": solve,
@@ -85,6 +86,12 @@ def _in_pieces(chain: Chain, baked: Sequence[dict] | None, place: Place) -> dict
 def without_wrenches(chain: Chain) -> str:
     """Why there are no derivatives of the joint wrenches; empty where there are."""
     return "those of robots with loops are not derived" if chain.closing.rows else ""
+
+
+def without_step(chain: Chain, method: Method) -> str:
+    """Why there are no derivatives of a step; empty where there are."""
+    later = chain.compliant and any(stage.implicit for stage in method.stages)
+    return "it takes a loop whose joint gives way at its end" if later else ""
 
 
 def _wrenches_by_recursion(chain: Chain, baked: Sequence[dict] | None) -> dict:

@@ -7,13 +7,14 @@ from collections import Counter
 from ...spec.parameters import per_internal
 from ...topology.chain import Chain
 from ..templates import FEATURES
-from . import brakes, closing, force_states, forces, held, inputs, laws, prescribed
+from . import brakes, closing, compliant, force_states, forces, held, inputs, laws, prescribed
 from .code import Place
 
 
 def files(chain: Chain) -> tuple[str, ...]:
     """The files that they add, without the robot's name; their templates have the same names."""
-    return forces.files(chain) + ("loops.c",) * bool(chain.closing.rows)
+    compliance = (compliant.FILE,) * bool(chain.compliant)
+    return forces.files(chain) + ("loops.c",) * bool(chain.closing.rows) + compliance
 
 
 def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
@@ -28,11 +29,13 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     written += ("internal",) * bool(chain.n_internal)
     written += inputs.features(chain) + held.HELD * chain.holds + brakes.BRAKES * bool(chain.braked)
     acting = forces.content(chain, baked, place)
-    out: dict[str, object] = {FEATURES: forces.features(chain) + written, **acting}
-    kept = forces.scratch(chain, acting)
+    compliance = compliant.content(chain, baked, place)
+    first = compliant.COMPLIANT * bool(chain.compliant)  # what their rows bear acts before loops and forces are asked
+    out: dict[str, object] = {FEATURES: first + forces.features(chain) + written, **acting, **compliance}
+    kept = Counter(forces.scratch(chain, acting)) + Counter(compliant.scratch(chain, compliance))
     if chain.closing.rows:
         loops = closing.loops(chain, baked, place)
-        kept, out = {"input": 1, "state": 2, "": 1 + loops["kept"]}, out | {"loops": loops}
+        kept, out = kept + Counter({"input": 1, "state": 2, "": 1 + loops["kept"]}), out | {"loops": loops}
     out |= {"internal": list(per_internal(chain.robot).items()), "NVZ": "$$_NVZ" if chain.n_internal else "$$_NV"}
     pairs = (zip(at, chain.laws[law], strict=True) for law, at in chain.internal.items())
     rates = dict(sorted((z, chain.nv - chain.n_given + acted.coordinate) for own in pairs for z, acted in own))
@@ -44,5 +47,5 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     out |= force_states.content(chain, baked, place)
     out["switches"] = laws.calls(chain, "on") or forces.switches(chain) or held.switches(chain) or bool(chain.braked)
     out["exponential"] = laws.calls(chain, "exp")
-    out["scratch"] = Counter(kept) + Counter(input=int(chain.holds))
+    out["scratch"] = kept + Counter(input=int(chain.holds))
     return out | ({"idle": closing.idle_rows(chain, place)} if chain.closing.idle else {})

@@ -80,7 +80,7 @@ def _refused(p: Parameter) -> str:
 
 def _groups(chain: Chain, stated: list[Parameter]) -> list[ForceStruct]:
     out = []
-    for force in chain.robot.forces:
+    for force in chain.robot.acting_forces:
         own = [p for p in stated if p.name.startswith(f"{force.name}.")]
         members, values = [], []
         for field in dict.fromkeys(p.field for p in own):

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 DAE_RUNS = frozenset({"dae_dynamics", "projection", "placement", "assembly"})
 """The runs of :mod:`.links` that belong to the DAE form alone."""
 
-SHARED = ("real.c", "parameters.c", "forces.c", "loops.c")
+SHARED = ("real.c", "parameters.c", "forces.c", "loops.c", "rows.c")
 """Sources, without the robot's name, that the DAE form needs besides its own."""
 
 

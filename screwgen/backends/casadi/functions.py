@@ -23,6 +23,7 @@ from ...algorithms.linearise import slopes
 from ...algorithms.robot_function import RobotFunction, is_matrix, shape
 from ...algorithms.robot_functions import offered
 from ...algorithms.signals import Signal
+from ...algorithms.tip_programs import COMPLIANT
 from ...arguments import choice
 from ...errors import TargetWarning, UsageError
 from ...ir.program import Program
@@ -144,20 +145,23 @@ def modal_functions(chain: Chain) -> LazyFunctions:
         ("measures", "q wrench motion p", fused.measures),
         ("modal_properties", "p", fused.modal_properties),
     )
-    return LazyFunctions({row[0]: making(*row) for row in rows} | _memories(chain))
+    return LazyFunctions({row[0]: making(*row) for row in rows} | _beside_dynamics(chain))
 
 
-def _memories(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
-    """The rates of the internal states of forces between frames in both forms."""
+def _beside_dynamics(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
+    """What steps need besides in both forms: the rates of the internal states of forces between frames, and what rows
+    of joints that give way bear at the end of a step."""
 
-    def made(name: str, program: Program) -> ca.Function:
+    def made(name: str, make: Callable[[Chain], Program]) -> ca.Function:
+        program = make(chain)
         given = {x: ca.SX.sym(x, size) for x, size in program.inputs.items()}
         return function(name, given, **expressions(program, given))
 
-    rows = {"force_rates": programs.force_rates, "dae_force_rates": programs.dae_force_rates}
-    return {
-        k: partial(lambda k, make: made(k, make(chain)), k, make) for k, make in rows.items() if chain.n_force_states
-    }
+    in_dae = {f"dae_{make.__name__}": partial(make, dae=True) for make in COMPLIANT}
+    rows: dict[str, Callable] = {make.__name__: make for make in COMPLIANT} | in_dae if chain.compliant else {}
+    if chain.n_force_states:
+        rows |= {"force_rates": programs.force_rates, "dae_force_rates": programs.dae_force_rates}
+    return {name: partial(made, name, make) for name, make in rows.items()}
 
 
 def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Function:

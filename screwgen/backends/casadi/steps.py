@@ -12,6 +12,7 @@ from ...algorithms import robot_programs as programs
 from ...algorithms.axis_laws import of_robot
 from ...algorithms.law_programs import STAGE, stage, state_rate, stuck
 from ...algorithms.schedule import COLUMNS
+from ...algorithms.tip_programs import row_terms, row_wrenches
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
 from ...integrators.space import replayed
@@ -67,7 +68,13 @@ class CasadiAccelerations:
                 found = expressions(stage(law), state | constants)
                 felt["m_eta"][i] += found["inertia"]
                 felt["f_eta"][i] += found["force"]
-        vdot = expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
+        given = self.given | felt | {"q": q_there, "v": v_there}
+        if self.chain.compliant and isinstance(h, ca.SX):
+            terms = expressions(row_terms(self.chain), {"q": q, "v": v, "p": self.given["p"]})["terms"]
+            over = {"terms": terms, "h": h, "ahead": ca.SX(there is not None and there[0] is not q)}
+            acted = expressions(row_wrenches(self.chain), given | over)["acted"]
+            given |= {"w_ext": ca.reshape(acted, 6, self.chain.n)}
+        vdot = expressions(self.program, given)["vdot"]
         order = sorted(remembering, key=lambda one: one[0])
         states = [expressions(state_rate(law), given | {"a": vdot[i]})["rate"] for _, law, i, given in order]
         return ca.vertcat(vdot, *states, *self._of_forces(q_there, v_there, v, h))

@@ -222,6 +222,15 @@ class JaxAccelerations:
             found = replayed(stage(law), state, _unary)
             inertia, force = inertia.at[at].add(found["inertia"]), force.at[at].add(found["force"])
         given = {**self.given, "m_eta": inertia, "f_eta": force, "q": q_there, "v": v_there}
+        if self.chain.compliant and not isinstance(h, float):
+            terms = self.own.run(tip_programs.row_terms, "terms", {"q": q, "v": v, "p": given["p"]})[0]
+            over = {
+                "terms": terms,
+                "h": h,
+                "ahead": jnp.asarray(there is not None and there[0] is not q, self.own.real),
+            }
+            acted = self.own.run(tip_programs.row_wrenches, "acted", {**given, **over})[0]
+            given["w_ext"] = acted.reshape(self.chain.n, 6)
         vdot = self.own.run(fused.modal_dynamics, "vdot", given)[0]
         a = vdot[rates]
         out = jnp.concatenate([vdot, jnp.zeros(self.chain.n_internal, vdot.dtype)])

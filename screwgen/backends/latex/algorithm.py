@@ -211,7 +211,7 @@ def _values(chain: Chain, biased: bool) -> Mapping[str, object]:
         "forces": forces.lines(chain),
         "inputs": _inputs(chain),
         "loops": loops,
-        "joined": bool(chain.robot.loops),
+        "joined": bool(chain.robot.rigid_loops),
         "distances": any(isinstance(closing.row, Distance) for closing in chain.closing.rows),
         "angles": any(isinstance(closing.row, Angle) for closing in chain.closing.rows),
         "couplings": bool(chain.robot.couplings),

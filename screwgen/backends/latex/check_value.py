@@ -61,7 +61,7 @@ def _rounded(values: Sequence[float]) -> np.ndarray:
 
 def _besides(chain: Chain) -> str:
     """What acts on tips besides external wrenches."""
-    acting = ["the loops"] * bool(chain.robot.loops) + ["the forces between frames"] * bool(chain.forces)
+    acting = ["the loops"] * bool(chain.robot.rigid_loops) + ["the forces between frames"] * bool(chain.forces)
     return f" besides {' and '.join(acting)}" if acting else ""
 
 

@@ -22,7 +22,7 @@ PUSHED = (
 def forces(chain: Chain) -> DocumentTable | None:
     """Which frames the forces join, by which laws."""
     rows = []
-    for force, placed in zip(chain.robot.forces, chain.forces, strict=True):
+    for force, placed in zip(chain.robot.acting_forces, chain.forces, strict=True):
         ends = (_end(end, i) for end, i in zip(force.between, placed.ends, strict=True))
         law = ", ".join([force.law.KIND, *(name for name, on in placed.shape.chosen if on)])
         numbers = ", ".join(_number(force.law.table()[name], x) for name, x in force.law.numbers.items())

@@ -116,7 +116,7 @@ def parameter_symbol(robot: Robot, p: Parameter) -> str:
     """The LaTeX of a number of a force."""
     if p.field == POINT:
         return f"r_{{w,{'xyz'[p.index[0]]}}}"
-    force = next(force for force in robot.forces if force.name == p.name.partition(".")[0])
+    force = next(force for force in robot.acting_forces if force.name == p.name.partition(".")[0])
     own = number_symbols(force.law.table()[p.field.rpartition(".")[2]])
     return own[p.index[0] if p.index else 0]
 
@@ -144,7 +144,7 @@ def lines(chain: Chain) -> str:
 def _laws(chain: Chain) -> Iterator[_Law]:
     """The laws, each with the forces that obey it."""
     alike: dict[tuple[str, str], list[Force]] = {}
-    for force, placed in zip(chain.robot.forces, chain.forces, strict=True):
+    for force, placed in zip(chain.robot.acting_forces, chain.forces, strict=True):
         text = "\n".join(line for own in equations(placed.shape) for line in _line(own.symbol, own.formula))
         words = ", ".join([force.law.WORDS, *(name for name, on in placed.shape.chosen if on)])
         alike.setdefault((words, text), []).append(force)

@@ -48,7 +48,7 @@ def joints(chain: Chain) -> DocumentSection | None:
             r" The tip's twist has the rate $\dot{\mathbf{V}}_T = \mathbf{J}_T\,"
             r"[\dot{\mathbf{V}}_i;\ \ddot{\boldsymbol{\eta}}_i] + \mathbf{b}_T$."
         )
-    acting = ["the wrenches of the loops"] * bool(chain.robot.loops) + ["those of forces"] * bool(chain.forces)
+    acting = ["the wrenches of the loops"] * bool(chain.robot.rigid_loops) + ["those of forces"] * bool(chain.forces)
     if acting:
         about += rf" $\boldsymbol{{\mathcal{{W}}}}_{{ext,i}}$ has {' and '.join(acting)} in it."
     if chain.robot.couplings:

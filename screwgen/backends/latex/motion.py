@@ -108,7 +108,7 @@ def motion(chain: Chain) -> DocumentSection:
     modal = rf"The rows of the modes balance the {' and the '.join(own)} of the links, in $\mathbf{{h}}_i$."
     values = {
         "loops": bool(chain.closing.rows),
-        "joined": bool(chain.robot.loops),
+        "joined": bool(chain.robot.rigid_loops),
         "modal": modal * bool(flexible),
         "acting": f"{', '.join(acting[:-1])} and {acting[-1]}",
         "terms": " and ".join(terms),

@@ -98,7 +98,7 @@ def loops(chain: Chain) -> DocumentTable | None:
     """Which tips the loops join, and what their joints leave free."""
     head, widths = ("loop", "A", "B", "joint leaves free", r"$c_s$, $1/\mathrm{s}$"), (0.1, 0.25, 0.25, 0.25, 0.15)
     out = []
-    for loop, junction in zip(chain.robot.loops, chain.closing.junctions, strict=False):
+    for loop, junction in zip(chain.robot.rigid_loops.values(), chain.closing.junctions, strict=False):
         numbers = (junction.first + 1, junction.second + 1)
         ends = (f"`{end}`, link {number}" for end, number in zip(loop.between, numbers, strict=True))
         free = ", ".join(map(axis_text, loop.joint.screws)) or "nothing, welded"

@@ -198,7 +198,7 @@ def _coupling(pen: Pen, pose: SketchPose, ends: tuple[int, int], text: str) -> N
 def wrenches(pen: Pen, chain: Chain, pose: SketchPose) -> None:
     """The external wrenches on the tips of links that carry none."""
     held = {end for junction in chain.closing.junctions for end in (junction.first, junction.second)}
-    carrying = {*chain.tree.parents, *held} if chain.robot.loops else set(chain.tree.parents)
+    carrying = {*chain.tree.parents, *held} if chain.robot.rigid_loops else set(chain.tree.parents)
     leaves = [part for part in pose.parts if part.number not in carrying]
     for part in leaves[:MOST_WRENCHES]:
         way = part.straight[1] - part.straight[0] if part.long else part.turn[:, 0]

@@ -32,7 +32,7 @@ def forces(pen: Pen, chain: Chain, pose: SketchPose) -> None:
 
 
 def _force(pen: Pen, pose: SketchPose, chain: Chain, force: PlacedForce, most: float) -> None:
-    point = next(one.point for one in chain.robot.forces if one.name == force.name)
+    point = next(one.point for one in chain.robot.acting_forces if one.name == force.name)
     a, b = (pen.flat(np.array(point) if i is None else pose.ends[i]) for i in force.ends)
     if force.ends[0] is None:
         a, b = b, a

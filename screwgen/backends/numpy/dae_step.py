@@ -35,7 +35,8 @@ class DaeDynamics:
 
     `properties`: those of :class:`.CoordinateForces`. `solve (x, tau, w_ext, inertia, force) -> (xdot, vdot, wrench)`;
     `projection (x) -> (x,)`; `joint_rates (x) -> (qdot,)`, which is read where joints are sprung; `memory (x, tau,
-    start, h) -> (rate,)`: of the internal states of forces between frames, which are the last entries of x.
+    start, h) -> (rate,)`: of the internal states of forces between frames, which are the last entries of x. `rows`:
+    `(x) -> (terms,)` and `(x, tau, w_ext, inertia, force, terms, h, ahead) -> (w_ext,)` of joints that give way.
     """
 
     def __init__(
@@ -46,9 +47,10 @@ class DaeDynamics:
         projection: Function,
         joint_rates: Function,
         memory: Function | None = None,
+        rows: Sequence[Function] = (),
     ):
         n, r = chain.n, chain.n_inner
-        self.memory = memory
+        self.memory, self.rows = memory, rows
         self.forces = CoordinateForces.of_columns(chain, properties)
         self.solve, self.projection, self.sprung, self.joint_rates = (
             solve,
@@ -77,7 +79,11 @@ class DaeDynamics:
         own, rate = here if start is None or start is x else self.own(start)
         begin = x if start is None else start
         forces = self.forces.remembering(begin[self.z]).linearised_over(own, rate, h, here[1])
-        xdot, vdot, *more = self.solve(x, tau, w_ext, forces.inertia(h), forces.force(own, rate, h))
+        felt = forces.inertia(h), forces.force(own, rate, h)
+        if self.rows and h:
+            terms, wrenches = self.rows
+            w_ext = wrenches(x, tau, w_ext, *felt, terms(begin)[0], *np.array([h, begin is not x]))[0]
+        xdot, vdot, *more = self.solve(x, tau, w_ext, *felt)
         if self.chain.n_internal:
             xdot = np.append(xdot[: self.z.start], forces.internal_rates(vdot))
         if self.memory is not None:

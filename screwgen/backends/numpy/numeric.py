@@ -186,7 +186,7 @@ class Numeric:
 
     def gap_slopes(self, q: Numbers) -> np.ndarray:
         """(rows, nv): the rates of the gaps per unit of each entry of v."""
-        return self._by_rates(lambda functions, q, v: functions.gaps(q, v)[1], q)
+        return self.by_rates(lambda functions, q, v: functions.gaps(q, v)[1], q)
 
     def offsets(self, q: Numbers) -> np.ndarray:
         """Differences of points, m, and of directions that vanish where all loops are closed, and only there."""
@@ -196,7 +196,7 @@ class Numeric:
     def offset_slopes(self, q: Numbers) -> np.ndarray:
         """(offsets, nv): the rates of :meth:`offsets` per unit of each entry of v."""
         rates = lambda found: [x for loop in found for x in (*loop.place_rates, *loop.turn_rates)]  # noqa: E731
-        return self._by_rates(lambda functions, q, v: rates(functions.offsets(q, v)), q)
+        return self.by_rates(lambda functions, q, v: rates(functions.offsets(q, v)), q)
 
     def mismatch(self, q: Numbers) -> np.ndarray:
         """(loops, 2): how far the frames of each loop are apart where its joint does not let them, in m, and how far
@@ -204,7 +204,7 @@ class Numeric:
         found = self._functions(MOTION).offsets(*self.rows(q=q, v=None))
         return np.array([[np.linalg.norm(np.array(x, float)) for x in loop[:2]] for loop in found]).reshape(-1, 2)
 
-    def _by_rates(self, rates: Callable, q: Numbers) -> np.ndarray:
+    def by_rates(self, rates: Callable, q: Numbers) -> np.ndarray:
         """Rates that are linear in v, by one pass with units of all its entries."""
         (values,) = self.rows(q=q)
         units = [ValuesPerRate(unit) for unit in np.eye(self.chain.nv)]

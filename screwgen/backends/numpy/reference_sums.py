@@ -94,7 +94,12 @@ class _Soft:
         at_q, at_v = there or (q, v)
         own = self.own.over(q, v, h, at_v)
         self.functions.given = (own.inertia(h).tolist(), own.force_of(q, v, h).tolist())
-        vdot = np.array(self.functions.forward_dynamics(at_q.tolist(), at_v.tolist(), self.tau, self.w_ext)[0])
+        f, moved = self.functions, (at_q.tolist(), at_v.tolist())
+        w_ext: Sequence = self.w_ext
+        if self.chain.compliant and h:
+            ahead = float(at_q is not q)
+            w_ext = f.with_rows(*moved, self.tau, w_ext, f.row_terms(q.tolist(), v.tolist()), h, ahead)
+        vdot = np.array(f.forward_dynamics(*moved, self.tau, w_ext)[0])
         out = np.append(vdot, own.internal_rates(vdot))
         if self.chain.n_force_states:
             of_forces, start = self.functions.under_inputs(self.tau), v[self.chain.force_states].tolist()
@@ -137,8 +142,24 @@ class _Soft:
             given, under = f.coordinates(x.tolist()), f.under_inputs(tau.tolist())
             return (np.array(under.force_rates(*given, start.tolist(), h)),)
 
+        def terms(x: np.ndarray) -> tuple[np.ndarray]:
+            return (np.array(f.row_terms(*f.coordinates(x.tolist()))),)
+
+        def wrenches(
+            x: np.ndarray,
+            tau: np.ndarray,
+            w_ext: np.ndarray,
+            inertia: np.ndarray,
+            force: np.ndarray,
+            own: np.ndarray,
+            *over: float,
+        ) -> tuple[np.ndarray]:
+            f.given, held = (inertia.tolist(), force.tolist()), (tau.tolist(), w_ext.tolist(), own.tolist())
+            return (np.array(f.with_rows(*f.coordinates(x.tolist()), *held, *over)),)
+
         own = memory if self.chain.n_force_states else None
-        return DaeDynamics(self.chain, self.columns, solve, project, joint_rates, own)
+        rows = (terms, wrenches) if self.chain.compliant else ()
+        return DaeDynamics(self.chain, self.columns, solve, project, joint_rates, own, rows)
 
 
 def sums(chain: Chain, case: Case, methods: Sequence[Method]) -> Sums:

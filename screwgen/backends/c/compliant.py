@@ -1,0 +1,77 @@
+"""Loops whose joints give way in generated C: what their rows bear at the end of an implicit step."""
+
+from __future__ import annotations
+
+import re
+
+from ...algorithms.tip_programs import row_terms, row_wrenches
+from ...ir.program import Program
+from ...ir.split import KEPT
+from ...topology.chain import Chain
+from .batch import LONGEST, LaneWriter, angles_of
+from .code import Place, singular
+from .pieces import bodies, piece_place, pieces
+
+CONSTANT = re.compile(r"= (-?(?:\d+|\$\$_REAL\([-+.e\d]+\)));$")
+"""The assignment of a number."""
+COMPLIANT = ("compliant",)
+"""What they write in the files of every robot, as :class:`..templates.TemplatePlaces` finds it."""
+FILE = "rows.c"
+POINTERS = {"terms": ("c", "state", "work"), "wrenches": ("c", "state", "input", "m_eta", "f_eta", "ahead", "work")}
+
+
+def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
+    """The templates' context: the statements that find the terms at the start of a step and the wrenches on tips, of
+    numbers and of lanes; None without such loops."""
+    if not chain.compliant:
+        return {"compliant": None}
+    made, lanes = {}, {}
+    for name, make in (("terms", row_terms), ("wrenches", row_wrenches)):
+        program = make(chain, "baked" if baked else "constants")
+        place = piece_place(chain, "work->kept", OWN, at)
+        made[name] = pieces(program, place, POINTERS[name], fail=singular)
+        lanes[name] = _lanes(chain, program, at)
+    kept = max(part["kept"] for part in made.values())
+    return {"compliant": made | {"kept": kept, "count": 2 * len(chain.compliant), "lanes": lanes}}
+
+
+OWN = {
+    "h": lambda k: "work->dt",
+    "ahead": lambda k: "ahead",
+    "terms": lambda k: f"work->terms[{k}]",
+    "acted": lambda k: f"work->input.w_ext[{k // 6}][{k % 6}]",
+    "m_eta": lambda k: f"m_eta[{k}]",
+    "f_eta": lambda k: f"f_eta[{k}]",
+}
+OF_LANES = {
+    "h": lambda k: "over[0]",
+    "ahead": lambda k: "over[1]",
+    "terms": lambda k: f"terms[{k}]",
+    "acted": lambda k: f"acted[{k}]",
+    "m_eta": lambda k: f"work->m_eta[{k}]",
+    "f_eta": lambda k: f"work->f_eta[{k}]",
+}
+
+
+class _RowWriter(LaneWriter):
+    """Writes results that are one number in all lanes, as the gap of a row that no motion changes."""
+
+    def _outputs(self) -> list[str]:
+        return [CONSTANT.sub(rf"= {self.prefix}_all(\1);", line) for line in super()._outputs()]
+
+
+def _lanes(chain: Chain, program: Program, at: Place) -> dict[str, object]:
+    """The same statements of a batch, with the coordinates whose sines they need."""
+    angles = angles_of(program)
+    pointers = ("c", "state", "input", "work", "terms", "over", *("sin_q", "cos_q") * bool(angles), KEPT, "acted")
+    placed = piece_place(chain, KEPT, OF_LANES, at)
+    writer = lambda piece: _RowWriter(piece, placed, None, {*pointers, "bad"}, True)  # noqa: E731
+    return bodies(writer, program, pointers, LONGEST) | {"angles": angles}
+
+
+def scratch(chain: Chain, content: dict) -> dict[str, int]:
+    """How many structs of a name a call keeps, and of numbers under an empty name."""
+    if not chain.compliant:
+        return {}
+    own = content["compliant"]
+    return {"input": 1, "state": 1, "": 2 + own["kept"] + own["count"]}

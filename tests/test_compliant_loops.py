@@ -1,0 +1,240 @@
+"""Loops whose joints give way: springs and dampers across their rows, taken at the end of an implicit step."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from bad_robot_files import GOOD, refused
+from batch_c import CompiledBatch, stepped
+from helpers import model_of
+
+import screwgen
+from screwgen.integrators.methods import BUILT_IN
+from screwgen.simulation.linearised import Linearised
+from screwgen.spec.load import dump
+
+SPRING = 0.25
+"""J: the energy of the hinge's spring at first."""
+IMPLICIT = ("modal_implicit", "modal_midpoint")
+STIFFNESS = (1.0, 1e3, 1e6, 1e9, 1e12)
+ARM = 0.5
+"""m: from the hinge to the body's centre of mass."""
+
+
+def massless(name, **more):
+    return {"name": name, "bodies": [{"at": "base", "mass": 0.0}]} | more
+
+
+def pendulum(stiffness=None, damping=None):
+    """A body in a plane, whose eye a hinge joins to the wall: of constant mass matrix, with a nonlinear gap."""
+    body = {"at": "base", "mass": 2.0, "inertia": [0.02, 0.03, 0.02, 0.0, 0.0, 0.0]}
+    joint = {"axes": ["y"], "stiffness": stiffness, "damping": damping}
+    return {
+        "name": "pendulum",
+        "gravity": [0.0, 0.0, -9.81],
+        "links": [
+            {"name": "bob", "joint": {"axes": [{"slide": "x"}, {"slide": "z"}, "y"]}, "bodies": [body]},
+            massless("eye", joint={"axes": [], "mount": {"xyz": [-ARM, 0.0, 0.0]}}),
+            massless("wall", parent="world", joint={"axes": []}),
+        ],
+        "loops": [{"between": ["wall.tip", "eye.tip"], "joint": {key: x for key, x in joint.items() if x is not None}}],
+    }
+
+
+def hanging(angle, out=0.0):
+    """Coordinates with the hinge open by `out` along x, m."""
+    return np.array([ARM * np.cos(angle) + out, -ARM * np.sin(angle), angle])
+
+
+def linkage(stiffness=None, damping=None):
+    """A four-bar linkage with a flexible coupler."""
+    joint = {"axes": ["y"], "stiffness": stiffness, "damping": damping}
+    bar = lambda name, length, **more: {  # noqa: E731
+        "name": name,
+        "length": length,
+        "section": {"rhoA": 2.0, "rhoIp": 1e-4, "EIy": 1e3},
+        "joint": {"axes": ["y"]},
+        **more,
+    }
+    rocker = {"parent": "world", "joint": {"axes": ["y"], "mount": {"xyz": [0.8, 0.0, 0.0]}}}
+    links = [bar("crank", 0.3), bar("coupler", 0.9, modes={"bending_z": 1}), bar("rocker", 0.6, **rocker)]
+    loop = {
+        "between": ["coupler.tip", "rocker.tip"],
+        "joint": {key: x for key, x in joint.items() if x is not None},
+    }
+    return {"name": "linkage", "gravity": [0.0, 0.0, -9.81], "links": links, "loops": [loop]}
+
+
+# ------------------------------------------------------------------------------------------ energy
+
+
+@pytest.mark.parametrize("method", IMPLICIT)
+@pytest.mark.parametrize("stiffness", STIFFNESS)
+def test_energy_never_grows_over_a_hundred_thousand_steps(stiffness, method):
+    """A swing through 4 rad/s at 1 ms, of a hinge that is stretched at first; by the midpoint rule it is kept up to an
+    oscillation of second order, of 1.5e-5 J."""
+    model = model_of(pendulum(stiffness))
+    stepper, numeric = model.compile().stepper(1e-3, method=method, count=50), model.numpy()
+    stepper.q[:] = hanging(0.5, 1e-3 if stiffness < 1e6 else np.sqrt(2 * SPRING / stiffness))
+    energies = [sum(numeric.energy(stepper.q[:3], stepper.v[:3]))]
+    for _ in range(2000):
+        stepper()
+        energies.append(sum(numeric.energy(stepper.q[:3], stepper.v[:3])))
+    assert max(energies) <= energies[0] + (2e-5 if method == "modal_midpoint" else 0.0)
+    assert energies[-1] < energies[0]
+
+
+@pytest.mark.parametrize("damping", [None, 40.0])
+def test_rk4_keeps_energy_to_its_order(damping):
+    """With half the step the error is a sixteenth, or less; and what a damper takes is what is lost."""
+    model = model_of(pendulum(2e3, damping))
+    numeric, lost = model.numpy(), []
+    for step in (1e-3, 5e-4):
+        run = screwgen.simulate(model, 0.4, step, q0=hanging(0.3, 2e-3), integrator="rk4")
+        total = sum(numeric.energy(run.q[-1], run.v[-1])) - sum(numeric.energy(run.q[0], run.v[0]))
+        if damping:
+            rates = np.array([numeric.forward_dynamics(q, v, None, None)[0] for q, v in zip(run.q, run.v, strict=True)])
+            still = model_of(pendulum(2e3)).numpy()
+            free = np.array([still.forward_dynamics(q, v, None, None)[0] for q, v in zip(run.q, run.v, strict=True)])
+            M = numeric.mass_matrix(run.q[0])
+            power = np.einsum("ti,ij,tj->t", run.v, M, rates - free)
+            total -= step / 3 * (power[0] + power[-1] + 4 * power[1:-1:2].sum() + 2 * power[2:-1:2].sum())
+        lost.append(abs(total))
+    assert lost[1] < 1e-7
+    assert lost[0] > 12 * lost[1]
+
+
+# ------------------------------------------------------------------------------------------ the rigid loop
+
+
+@pytest.mark.parametrize("form", ["joint", "dae"])
+def test_without_bound_of_stiffness_it_is_the_rigid_loop(form):
+    """The two differ by the error of the method, 2e-7 rad after 0.3 s at 1 ms, and less with smaller steps."""
+    rigid, soft = model_of(linkage()), model_of(linkage(1e12))
+    q0 = screwgen.assemble(rigid, [1.0, -1.0, 1.2, 0.0])
+    apart = []
+    for step in (1e-3, 5e-4):
+        ends = [screwgen.simulate(model, 0.3, step, q0=q0, form=form).q[-1] for model in (rigid, soft)]
+        apart.append(np.abs(ends[0] - ends[1]).max())
+    assert apart[0] < 5e-7
+    assert apart[1] < 0.7 * apart[0]
+
+
+def test_at_rest_its_gap_is_the_load_over_the_stiffness():
+    model = model_of(pendulum(1e4))
+    rest = screwgen.equilibrium(model, hanging(np.pi / 2))
+    assert rest.q == pytest.approx(hanging(np.pi / 2) - [0.0, 2.0 * 9.81 / 1e4, 0.0], abs=1e-9)
+
+
+def test_its_rows_are_seen_in_vibrations():
+    """A body of 2 kg on a weld of 1e4 N/m, which it stretches along its arm without turning."""
+    weld = pendulum(1e4)
+    weld["loops"][0]["joint"]["axes"] = []
+    found = screwgen.natural_frequencies(model_of(weld), hanging(0.0), joints="free")
+    assert np.isclose(found, np.sqrt(1e4 / 2.0) / (2 * np.pi)).any()
+
+
+# ------------------------------------------------------------------------------------------ every stepper alike
+
+
+@pytest.mark.parametrize("method", [m.name for m in BUILT_IN])
+def test_a_step_is_the_same_in_every_back_end(method):
+    model, dt = model_of(linkage(1e5, 30.0)), 1e-3 if method in IMPLICIT else 1e-5
+    rng = np.random.default_rng(3)
+    q = screwgen.assemble(model_of(linkage()), [1.0, -1.0, 1.2, 0.0]) + 1e-3 * rng.normal(size=4)
+    v, tau, w_ext = rng.normal(size=4), rng.normal(size=3), rng.normal(size=(3, 6))
+    compiled = [model.compile(layout=layout) for layout in ("fused", "modular")]
+    found = [np.concatenate(c.step(q, v, tau, w_ext, dt, method)) for c in compiled]
+    by_casadi = model.casadi()[f"step_{method}"](q, v, tau, w_ext.T, model.parameter_values, dt)
+    found.append(np.concatenate([np.array(x).ravel() for x in by_casadi]))
+    lanes = np.array([q, v])[:, :, None], tau[None, :, None], w_ext.reshape(1, -1, 1)
+    found.append(stepped(CompiledBatch(model), *lanes, method, dt=dt)[0][:, -1].ravel())
+    for other in found[1:]:
+        assert other == pytest.approx(found[0], rel=1e-9, abs=1e-11)
+
+
+@pytest.mark.parametrize("method", IMPLICIT)
+def test_both_forms_make_the_same_run(method):
+    model = model_of(linkage(1e7, 100.0))
+    q0 = screwgen.assemble(model_of(linkage()), [1.0, -1.0, 1.2, 0.0])
+    ends = [screwgen.simulate(model, 0.1, 1e-3, q0=q0, integrator=method, form=form) for form in ("joint", "dae")]
+    assert ends[0].q[-1] == pytest.approx(ends[1].q[-1], abs=1e-9)
+
+
+@pytest.mark.parametrize("method", IMPLICIT)
+def test_the_step_map_of_an_unloaded_joint_is_that_of_the_step(method):
+    robot = pendulum(1e5, 8.0) | {"gravity": [0.0, 0.0, 0.0]}
+    model, h = model_of(robot), 2e-3
+    q, size = hanging(0.4), 1e-6
+    compiled = model.compile()
+    step = lambda x: np.concatenate(compiled.step(x[:3], x[3:], None, None, h, method))  # noqa: E731
+    at = np.append(q, np.zeros(3))
+    differences = np.array([(step(at + size * e) - step(at - size * e)) / (2 * size) for e in np.eye(6)]).T
+    found = Linearised(model, q, np.zeros(3)).step_map(method, h)
+    assert found == pytest.approx(differences, rel=1e-5, abs=1e-5 * np.abs(differences).max())
+
+
+def test_derivatives_of_implicit_steps_are_refused_in_c():
+    compiled = model_of(pendulum(1e4)).compile(derivatives=True)
+    with pytest.raises(screwgen.UsageError, match="it takes a loop whose joint gives way at its end; use CasADi's"):
+        compiled.step_derivatives(hanging(0.1), np.zeros(3), None, None, 1e-3)
+    assert compiled.step_derivatives(hanging(0.1), np.zeros(3), None, None, 1e-4, "rk4")[2].shape == (6, 6)
+
+
+# ------------------------------------------------------------------------------------------ files
+
+LOOP = '[[loops]]\nbetween = ["upper.tip", "fore.tip"]\njoint = { axes = ["y"], stiffness = 1e4, damping = 2.0 }\n'
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "where", "fragment"),
+    [
+        ("stiffness = 1e4, ", "", "loops[0].joint.damping", "is stated without stiffness"),
+        ("stiffness = 1e4", "stiffness = -1.0", "loops[0].joint.stiffness", "is -1.0; it must be > 0"),
+        ("stiffness = 1e4", "stiffness = 0.0", "loops[0].joint.stiffness", "is 0.0; it must be > 0"),
+        ("damping = 2.0", "damping = -2.0", "loops[0].joint.damping", "is -2.0; it must be >= 0"),
+        ("stiffness = 1e4", "stiffness = [1e4]", "loops[0].joint.stiffness", "must be a number"),
+        ("stiffness = 1e4", "stiffness = 1e30", "loops[0].joint.stiffness", "it must be from 1e-09 to 1e+18"),
+        ("joint =", "stabilisation = 5.0\njoint =", "loops[0].stabilisation", "whose joint gives way"),
+        ("damping = 2.0", "drives = [{}]", "loops[0].joint.drives", "nothing drives a loop's joint"),
+    ],
+)
+def test_wrong_keys_are_refused_in_one_line(tmp_path, old, new, where, fragment):
+    refused(tmp_path, GOOD + LOOP.replace(old, new, 1), where, fragment)
+
+
+def test_a_link_has_not_the_name_of_such_a_loop():
+    robot = pendulum(1e4)
+    robot["links"][2]["name"] = "loop_0"
+    robot["loops"][0]["between"][0] = "loop_0.tip"
+    with pytest.raises(screwgen.ScrewgenError, match="loops\\[0\\]: has the name loop_0 in generated code"):
+        screwgen.Robot(**robot)
+
+
+def test_a_file_that_is_written_and_read_is_the_same(tmp_path):
+    robot = screwgen.Robot(**linkage(1e4, 2.0))
+    (tmp_path / "linkage.toml").write_text(dump(robot), encoding="utf-8")
+    assert screwgen.load(tmp_path / "linkage.toml") == robot
+    assert "stiffness = 10000.0" in dump(robot)
+
+
+def test_its_numbers_are_parameters():
+    model = model_of(linkage(1e4, 2.0))
+    assert model.parameter_names[-2:] == ["loop_0.stiffness", "loop_0.damping"]
+    other = model.chain.parameters.vector({"loop_0.stiffness": 3e4, "loop_0.damping": 7.0})
+    q, v = np.array([1.1, -0.8, 1.3, 0.01]), np.array([0.3, -0.2, 0.5, 0.1])
+    expected = model_of(linkage(3e4, 7.0)).numpy().forward_dynamics(q, v, None, None)[0]
+    assert model.numpy(other).forward_dynamics(q, v, None, None)[0] == pytest.approx(expected, rel=1e-12)
+
+
+def test_beside_a_rigid_loop_both_hold():
+    """A second linkage that shares the crank, rigid; its row and the soft ones are solved for together."""
+    robot = linkage(1e12)
+    twin = [link | {"name": f"{link['name']}2"} for link in robot["links"][1:]]
+    twin[0]["parent"] = "crank"
+    robot["links"] += twin
+    robot["loops"].append({"between": ["coupler2.tip", "rocker2.tip"], "joint": {"axes": ["y"]}})
+    rigid = robot | {"loops": [{**robot["loops"][0], "joint": {"axes": ["y"]}}, robot["loops"][1]]}
+    q0 = screwgen.assemble(model_of(rigid), [1.0, -1.0, 1.2, -1.0, 1.2, 0.0, 0.0])
+    ends = [screwgen.simulate(model_of(x), 0.1, 1e-3, q0=q0).q[-1] for x in (robot, rigid)]
+    assert ends[0] == pytest.approx(ends[1], abs=1e-5)

@@ -68,6 +68,11 @@ REFUSALS: tuple[Refusal, ...] = (
         for base in ("floating", "afloat")
     ),
     Refusal(
+        *("modes", ("compliant loop",), "find no steady deflection"),
+        why="a joint that is far apart bends links farther than the search follows",
+        large=True,
+    ),
+    Refusal(
         *("modes", ("second order", "rope"), "is not positive definite"),
         why="without gravity the rope bends a link of second order farther than its model goes",
         large=True,

@@ -30,7 +30,7 @@ from screwgen import Model, ScrewgenError
 BUILDS = (("runtime", "double"), ("baked", "float"))
 BY_P = 2
 """Derivatives by so many parameters, the last ones."""
-UNCONTROLLED = ("base", "closing", "tendon", "drive")
+UNCONTROLLED = ("base", "closing", "tendon", "drive", "friction")
 """Factors most of whose features predictive control refuses; it refuses ball joints besides."""
 
 

@@ -12,6 +12,7 @@ from conformance.features import (
     FACTORS,
     FEATURES,
     LATER,
+    NEEDS,
     Row,
     conditions,
     features,
@@ -42,6 +43,9 @@ def later(first: tuple[Row, ...]) -> tuple[Row, ...]:
             more = {FACTOR_OF[x]: x for x in pair}
             if all(row.get(factor, x) == x for factor, x in more.items()) and possible(row | more):
                 row |= more
+        for level, needed in NEEDS.items():
+            if level in row.values():
+                row.setdefault(FACTOR_OF[needed[0]], needed[0])
         out.append({name: row.get(name, next(iter(own))) for name, own in FACTORS.items()})
         left = [pair for pair in left if not pair <= set(out[-1].values())]
     plain = {name: next(iter(own)) for name, own in FACTORS.items()}

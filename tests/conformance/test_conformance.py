@@ -13,7 +13,7 @@ from conformance.arms import LOOPS, arm_of
 from conformance.arrays import covering, few, random_rows
 from conformance.cases import case_of
 from conformance.checks import CHECKS, outcome
-from conformance.features import FACTOR_OF, FACTORS, FEATURES, IMPOSSIBLE, features, pairs, possible_pairs
+from conformance.features import FACTOR_OF, FACTORS, FEATURES, IMPOSSIBLE, features, pairs, possible, possible_pairs
 from conformance.forgotten import TABLE
 from conformance.refusals import REFUSALS
 from conformance.table import page
@@ -57,6 +57,7 @@ def test_random_features_and_numbers(check, row):
 
 
 def test_all_pairs_that_can_stand_together_stand_in_a_row():
+    assert all(possible(row) for row in ROWS)
     held = set().union(*(pairs(features(row)) for row in ROWS))
     assert possible_pairs() <= held
     assert set(FEATURES) == {name for row in few() for name in features(row)}

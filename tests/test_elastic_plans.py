@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from helpers import G, arm, example, link, model_of
+from scipy.linalg import expm
 from test_planning import bang_bang
 
 import screwgen
@@ -100,8 +101,6 @@ def test_the_collaborative_arm_arrives():
 @pytest.mark.parametrize(
     "ask",
     [
-        lambda model: screwgen.gains(model, [[0.0] * 7]),
-        lambda model: screwgen.shape(model, [0.0] * 7, [0.1] * 7),
         lambda model: screwgen.feedforward(model, np.zeros((3, 7)), np.zeros((3, 7)), 1e-3),
         lambda model: screwgen.lqg(model, {"hand.bodies[1].mass": [0.9, 1.1]}),
     ],
@@ -119,3 +118,28 @@ def test_the_report_has_the_efforts_of_motors_times_the_ratio():
     assert report.first.rates[0] == pytest.approx(np.abs(run.v[:, 1]).max() / RATIO, rel=1e-12)
     assert report.robustness["stiffness"].parameters == ("rod.joint.drives[0].stiffness",)
     assert f'<td class="n">{most:.4g}</td>' in report.html()
+
+
+def test_gains_of_an_elastic_drive_close_the_loop_about_its_rotor():
+    """The loop that a clock closes about the linear model of the whole arm has the decay that is said."""
+    model, step, slow = geared(gravity=G), 1e-3, []
+    found = screwgen.gains(model, [[0.0], [1.0]], step=step)
+    law = np.array([0.0, found.kp[0], 0.0, found.kd[0]]) / RATIO**2
+    for angle in (0.0, 1.0):
+        rest = screwgen.play(model, screwgen.plan(model, [angle], [angle + 0.1], 1.0, gains=LAW, fast=True)).run
+        linear = model.linearise(rest.q[0], tau=rest.tau[0])
+        whole = expm(step * np.block([[linear.A, linear.B], [np.zeros((1, 5))]]))
+        s = np.log(np.linalg.eigvals(whole[:4, :4] - np.outer(whole[:4, 4], law)).astype(complex)) / step
+        slow += [*-s.real[np.abs(s.imag) < 2 * np.pi * found.band]]
+    assert found.decay == pytest.approx(min(slow), rel=1e-6) and found.decay > 3.0
+
+
+def test_what_vibrates_behind_a_locked_rotor_is_the_load_on_the_gear():
+    shaper = screwgen.shape(geared(), [-1.0], [1.0])
+    frequency = np.sqrt(STIFFNESS / (LOAD * LENGTH**2)) / (2 * np.pi)
+    assert shaper.vibrations([0.3])[0] == pytest.approx([frequency], rel=1e-6) and shaper.residual < 1e-6
+
+
+def test_bounds_of_efforts_are_those_of_the_motor_times_the_ratio():
+    found = screwgen.gains(geared(effort=1.2), [[0.0]], bounds={"jump": [0.1]})
+    assert 0.5 * 1.2 * RATIO < found.jump_efforts[0] <= 1.2 * RATIO

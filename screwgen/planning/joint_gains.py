@@ -11,6 +11,7 @@ import numpy as np
 from ..arguments import Given, Numbers, array, seconds
 from ..errors import UsageError
 from ..robot_model import RobotModel
+from .drive_coordinates import DriveCoordinates
 from .further_modes import with_further_modes
 from .gain_bounds import GainBounds
 from .gain_search import GROWTH, GainSearch
@@ -125,13 +126,15 @@ def gains(
     wanted; the largest `kp`, `kd` and `ki` (n_joints,); `jump` (n_joints,) of the references and the largest `efforts`
     after it; `noise_q`, `noise_v` (n_joints,) of sensors and the largest deviations `noise_efforts` of efforts.
 
+    Of a joint behind an elastic gear all is said of the rotor: its angle over the ratio, its effort times the ratio.
+
     Raises UsageError where no gains are stable, or none keep the bounds.
     """
-    refuse_robot(model, "search for gains", "state gains of your own")
+    refuse_robot(model, "search for gains", "state gains of your own", elastic=True)
     m, step = model.n_joints, seconds(step, "the step")
-    limits = GainBounds.of(bounds or {}, model.chain.efforts)
     at = postures_within(model, postures)
     values = model.chain.parameters.vector(parameters)
+    limits = GainBounds.of(bounds or {}, DriveCoordinates(model.chain, values).efforts(model.chain.efforts))
     ways = [values, *(scaled(model, values, f) for f in models)]
     own = RestLoops.of(model, ways, at, step)
     richer = with_further_modes(model)

@@ -52,14 +52,14 @@ def shape(
 
     `gains`: a law with `kp` and `kd`, such as a :class:`PD`; what vibrates are then the poles of its closed loop.
     Without, joints are taken to follow their references exactly, as with a feedforward that knows the elastic
-    motion, and what vibrates is the arm with joints locked. `free`: numbers of joints that no drive moves, as that
-    of a rope; under a law those without gains are free.
+    motion, and what vibrates is the arm with joints locked, of elastic gears the rotors. `free`: numbers of joints that
+    no drive moves, as that of a rope; under a law those without gains are free.
     `payload`: a parameter's name with its least and largest value. `modes`: how many of the slowest; `kind` as for
     :func:`shaper`. `degree`: of the polynomials of frequencies and damping ratios.
 
     Raises UsageError, also where fewer motions swing than are asked for.
     """
-    refuse_robot(model, "scheduled shaper", "take screwgen.shaper with frequencies of your own")
+    refuse_robot(model, "scheduled shaper", "take screwgen.shaper with frequencies of your own", elastic=True)
     m, names = model.n_joints, tuple(model.q_names[: model.n_joints])
     kind, modes = choice(kind, KINDS, "kind: there is no"), whole(modes, "modes", 1, MOST_MODES)
     degree = whole(degree, "degree", 0, MOST_DEGREE)

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ from helpers import example
 from test_planning import LAW, one_mode
 
 import screwgen
+from screwgen import UsageError
 from screwgen.cli.main import main
 from screwgen.simulation.robustness import payload, stiffness
 
@@ -101,3 +103,16 @@ def test_the_command_writes_a_page_that_needs_nothing_else(tmp_path, monkeypatch
     table = rows(page)
     assert len(table["stiffness"]) == 7 and "payload" not in table and table["models"] == ["1"]
     assert "Without gains nothing corrects" in page
+
+
+def test_the_plan_is_kept_where_its_report_fails(tmp_path, monkeypatch, capsys):
+    def fails(*args, **more):
+        raise UsageError("its runs diverge")
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("screwgen.plotting.plan_report.plan_report", fails)
+    Path("boom.toml").write_text(ROBOT)
+    Path("plan.toml").write_text(TASK)
+    assert main(["plan", "boom.toml", "plan.toml", "-o", "plan.npz", "--report", "page.html", "--fast", "-q"])
+    assert "its runs diverge" in capsys.readouterr().err
+    assert Path("plan.npz").is_file() and not Path("page.html").exists()

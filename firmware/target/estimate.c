@@ -5,12 +5,9 @@
  *   figure NAME NANOMETRES   the deflection of the tip and the errors of the estimates, root of the mean square
  */
 #include <math.h>
-#include <string.h>
 
 #include "instruments.h"
 #include "model.h"
-#include "noise.h"
-#include ESTIMATOR_HEADER
 
 enum {
     STEPS = 400, /* one millisecond each */
@@ -18,21 +15,13 @@ enum {
     PATH = 300 /* steps in which the references reach the set points */
 };
 
-static const real DT = (real)1e-3, SOFTER = (real)0.8;
-static const real ENCODER = (real)1e-4, STRAIN = (real)2e-6, FIBRE = (real)0.02;
-static const real KP[JOINTS] = { 400, 400, 120 }, KD[JOINTS] = { 28, 28, 12 };
+static const real SOFTER = (real)0.8, STRAIN = (real)2e-6, FIBRE = (real)0.02;
 static const real GOAL[JOINTS] = { (real)-0.1, (real)0.14, (real)0.09 };
 
-static M(parameters) parameters;
+#include "sensed_arm.h"
+
 static M(constants) model, plant;
-static M(input) input;
-static M(output) output;
-static M(work) work;
-static M(chain) chain;
-static M(estimator) filter;
-static M(estimator_work) scratch;
-static M(measurement) measured;
-static M(state) truth, open_loop;
+static M(state) open_loop;
 
 static int prepare(void)
 {
@@ -71,45 +60,10 @@ static int start(void)
         filter.density_v[k] = k < JOINTS ? (real)1 : axial ? (real)1e-9 : (real)10;
     }
     for (k = 0; k < JOINTS; ++k) {
-        filter.encoder_variance[k] = ENCODER * ENCODER;
         filter.acceleration_variance[k] = 25;
-        measured.has_encoder[k] = 1;
     }
-    for (k = 0; k < N(NGAUGES); ++k) {
-        filter.strain_variance[k] = STRAIN * STRAIN;
-        filter.fibre[k] = FIBRE;
-        measured.has_strain[k] = 1;
-    }
+    read_all();
     return 0;
-}
-
-/* PD about a smooth path, and what holds the straight arm of the model against its weight. */
-static int control(int n)
-{
-    static M(state) straight;
-    static real rest[N(NV)], force[N(NV)];
-    const real s = n < PATH ? (real)n / PATH : (real)1, reference = s * s * (3 - 2 * s);
-    int k;
-    memcpy(straight.q, truth.q, JOINTS * sizeof(real));
-    if (M(inverse_dynamics)(&model, &straight, &input, rest, &chain, force, 0) != N(OK)) {
-        return 1;
-    }
-    for (k = 0; k < JOINTS; ++k) {
-        input.tau[k] = KP[k] * (reference * GOAL[k] - truth.q[k]) - KD[k] * truth.v[k] + force[k];
-    }
-    return 0;
-}
-
-static void measure(void)
-{
-    int k;
-    for (k = 0; k < JOINTS; ++k) {
-        measured.encoder[k] = truth.q[k] + ENCODER * noise();
-    }
-    for (k = 0; k < N(NGAUGES); ++k) {
-        const int mode = 3 * (k / 2) + 1 + k % 2; /* y, z of the upper arm, then of the forearm */
-        measured.strain[k] = -FIBRE * filter.curvature[mode] * truth.q[JOINTS + mode] + STRAIN * noise();
-    }
 }
 
 static const real *tip(const M(constants) *c, const M(state) *s)
@@ -144,7 +98,7 @@ static int run(void)
     static const real straight[N(NMODES)];
     int n;
     for (n = 0; n < STEPS; ++n) {
-        if (control(n) || M(step_modal_midpoint)(&plant, &truth, &input, DT, &work) != N(OK)
+        if (control(&model, n) || M(step_modal_midpoint)(&plant, &truth, &input, DT, &work) != N(OK)
             || M(step_modal_midpoint)(&model, &open_loop, &input, DT, &work) != N(OK)) {
             return 1;
         }

@@ -7,12 +7,9 @@
  * Without -DFINDS the filter is the plain one, of which only the counts are of use.
  */
 #include <math.h>
-#include <string.h>
 
 #include "instruments.h"
 #include "model.h"
-#include "noise.h"
-#include ESTIMATOR_HEADER
 
 enum {
     PICKED = 200, /* the sample at which the arm picks it up; one every millisecond */
@@ -22,21 +19,13 @@ enum {
     HAND = N(NLINKS) - 1
 };
 
-static const real DT = (real)1e-3, ENCODER = (real)1e-4, STRAIN = (real)1e-6, FIBRE = (real)0.013;
-static const real KP[JOINTS] = { 400, 400, 120 }, KD[JOINTS] = { 28, 28, 12 };
+static const real STRAIN = (real)1e-6, FIBRE = (real)0.013;
 static const real GOAL[JOINTS] = { (real)0.5, (real)-0.4, (real)0.6 };
 
-static M(parameters) parameters;
+#include "sensed_arm.h"
+
 static M(constants) found, light, heavy; /* the model of the filter, the arm before and after */
 static real mass;                       /* kg: of the payload */
-static M(input) input;
-static M(output) output;
-static M(work) work;
-static M(chain) chain;
-static M(estimator) filter;
-static M(estimator_work) scratch;
-static M(measurement) measured;
-static M(state) truth;
 
 static int prepare(void)
 {
@@ -81,45 +70,8 @@ static int start(void)
     for (k = 0; k < N(NQ); ++k) {
         filter.density_v[k] = (real)1e-7;
     }
-    for (k = 0; k < JOINTS; ++k) {
-        filter.encoder_variance[k] = ENCODER * ENCODER;
-        measured.has_encoder[k] = 1;
-    }
-    for (k = 0; k < N(NGAUGES); ++k) {
-        filter.strain_variance[k] = STRAIN * STRAIN;
-        filter.fibre[k] = FIBRE;
-        measured.has_strain[k] = 1;
-    }
+    read_all();
     return 0;
-}
-
-/* PD about a smooth path, and what holds the straight arm of the first model against its weight. */
-static int control(int n)
-{
-    static M(state) straight;
-    static real rest[N(NV)], force[N(NV)];
-    const real s = n < PATH ? (real)n / PATH : (real)1, reference = s * s * (3 - 2 * s);
-    int k;
-    memcpy(straight.q, truth.q, JOINTS * sizeof(real));
-    if (M(inverse_dynamics)(&light, &straight, &input, rest, &chain, force, 0) != N(OK)) {
-        return 1;
-    }
-    for (k = 0; k < JOINTS; ++k) {
-        input.tau[k] = KP[k] * (reference * GOAL[k] - truth.q[k]) - KD[k] * truth.v[k] + force[k];
-    }
-    return 0;
-}
-
-static void measure(void)
-{
-    int k;
-    for (k = 0; k < JOINTS; ++k) {
-        measured.encoder[k] = truth.q[k] + ENCODER * noise();
-    }
-    for (k = 0; k < N(NGAUGES); ++k) {
-        const int mode = 3 * (k / 2) + 1 + k % 2; /* y, z of the upper arm, then of the forearm */
-        measured.strain[k] = -FIBRE * filter.curvature[mode] * truth.q[JOINTS + mode] + STRAIN * noise();
-    }
 }
 
 static int run(void)
@@ -127,7 +79,7 @@ static int run(void)
     int n;
     for (n = 0; n < STEPS; ++n) {
         const M(constants) *const arm = n < PICKED ? &light : &heavy;
-        if (control(n) || M(step_modal_midpoint)(arm, &truth, &input, DT, &work) != N(OK)) {
+        if (control(&light, n) || M(step_modal_midpoint)(arm, &truth, &input, DT, &work) != N(OK)) {
             return 1;
         }
         measure();

@@ -63,12 +63,13 @@ def plan(
     ways["gains"] = None if law is None else read_pd(law, model)
     goal = asked.goal or inverse_kinematics(model, asked.goal_tip or (), asked.start)
     beside = [] if report is None else [report]
-    with destination(output, target, step) as write, outputs(*beside) as pages, stoppable():
-        with bar("planning", 80, quiet) as progress:
-            found = made(model, asked.start, goal, asked.time, **ways, fast=fast, progress=progress)
-        for page in pages:
+    with outputs(*beside) as pages, stoppable():
+        with destination(output, target, step) as write:
+            with bar("planning", 80, quiet) as progress:
+                found = made(model, asked.start, goal, asked.time, **ways, fast=fast, progress=progress)
+            files = [*write(found), *beside]
+        for page in pages:  # the plan is kept where its runs go wrong
             page.write(_page(model, found, ways, quiet).encode())
-        files = [*write(found), *beside]
     figures = f"{found.time:.4g} s, {found.said['iterations']} iterations, torques up to {found.effort.max():.4g}"
     bare = "" if found.kp.any() else "; without gains nothing corrects what the model does not know"
     say("\n".join([*files, figures + bare]), quiet)

@@ -13,8 +13,8 @@ from oracle_floating import ANGLE
 
 from conformance.arms import EFFORT, LOOPS
 from conformance.features import Row
-from conformance.judge import Judge, axes_of
-from conformance.twin import as_turns, first_piece
+from conformance.judge import Judge
+from conformance.twin import as_turns, axes_of, first_piece
 
 
 def drawn(row: Row, robot: dict, seed: int = 0) -> Judge:

@@ -23,7 +23,7 @@ from conformance.braked import Brake, brakes_of
 from conformance.bristles import Bristles
 from conformance.outer import Outer
 from conformance.tendons import tendon_length
-from conformance.twin import first_piece
+from conformance.twin import axes_of, first_piece
 
 CONDITION = 1e8
 DEFINITE = 1e-5
@@ -338,15 +338,3 @@ class Judge:
             W, given = self.wrench, np.reshape(wrench, (-1, 6))
             out |= {k: part_error(W[:, s], given[:, s], W) for k, s in (("tau", np.s_[:3]), ("F", np.s_[3:]))}
         return out
-
-
-def axes_of(robot: dict) -> dict[str, int]:
-    """The place in q of every axis of the oracle's robot, by the product's names of scalar axes."""
-    places, k = {}, 0
-    for link in robot["links"]:
-        for n, axis in enumerate(link["joint"]["axes"]):
-            kind = "slide" if isinstance(axis, dict) and "slide" in axis else "joint"
-            name = link["name"].removesuffix("_0")
-            places[f"{name}.{kind}[{n}]"] = k
-            k += 1
-    return places

@@ -140,3 +140,15 @@ def as_turns(robot: dict) -> dict:
     robot |= {"loops": loops} if loops else {}
     couplings = [x | {key: moved(x[key]) for key in ("axis", "of")} for x in robot.get("couplings", [])]
     return {key: x for key, x in robot.items() if key != "base"} | ({"couplings": couplings} if couplings else {})
+
+
+def axes_of(robot: dict) -> dict[str, int]:
+    """The place in q of every axis of the oracle's robot, by the product's names of scalar axes."""
+    places, k = {}, 0
+    for link in robot["links"]:
+        for n, axis in enumerate(link["joint"]["axes"]):
+            kind = "slide" if isinstance(axis, dict) and "slide" in axis else "joint"
+            name = link["name"].removesuffix("_0")
+            places[f"{name}.{kind}[{n}]"] = k
+            k += 1
+    return places

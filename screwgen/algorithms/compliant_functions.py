@@ -14,7 +14,8 @@ wrench. Without bound of k that is the row of a rigid loop; S = 0 leaves the for
 A stage ahead of the start is the middle of a step, whose coordinates move by the mean of old and new rates. There a row
 that the step does not resolve would swing from one side to the other for ever. So its force is taken later, by the part
 ``z/(1 + z)``, with ``z = h² k J M⁻¹ Jᵀ``: that is of second order in h, small where the step resolves the row, and near
-1 where it does not. It makes ``h (1 + 2 z/(1 + z))`` of h beside gdot, and ``h² (1 + 3 z/(1 + z))`` of h² beside gddot.
+1 where it does not; that of a damper by ``z = h c J M⁻¹ Jᵀ``. With ``s = z/(1 + z)`` that makes ``h (1 + 2 s)`` of the
+h beside gdot, ``h² (1 + 3 s)`` of the h² in S, ``h c (1 + s)`` of h c, and ``h² (1 - s)`` of the h² beside gamma.
 """
 
 from __future__ import annotations

@@ -19,6 +19,25 @@ COMPLIANT = ("compliant",)
 FILE = "rows.c"
 POINTERS = {"terms": ("c", "state", "work"), "wrenches": ("c", "state", "input", "m_eta", "f_eta", "ahead", "work")}
 
+OWN = {
+    "h": lambda k: "work->dt",
+    "ahead": lambda k: "ahead",
+    "terms": lambda k: f"work->terms[{k}]",
+    "acted": lambda k: f"work->input.w_ext[{k // 6}][{k % 6}]",
+    "m_eta": lambda k: f"m_eta[{k}]",
+    "f_eta": lambda k: f"f_eta[{k}]",
+}
+"""Where the programs find what they read, and put what they write: in the C of one scenario."""
+OF_LANES = {
+    "h": lambda k: "over[0]",
+    "ahead": lambda k: "over[1]",
+    "terms": lambda k: f"terms[{k}]",
+    "acted": lambda k: f"acted[{k}]",
+    "m_eta": lambda k: f"work->m_eta[{k}]",
+    "f_eta": lambda k: f"work->f_eta[{k}]",
+}
+"""The same in the C of lanes."""
+
 
 def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
     """The templates' context: the statements that find the terms at the start of a step and the wrenches on tips, of
@@ -33,24 +52,6 @@ def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
         lanes[name] = _lanes(chain, program, at)
     kept = max(part["kept"] for part in made.values())
     return {"compliant": made | {"kept": kept, "count": 2 * len(chain.compliant), "lanes": lanes}}
-
-
-OWN = {
-    "h": lambda k: "work->dt",
-    "ahead": lambda k: "ahead",
-    "terms": lambda k: f"work->terms[{k}]",
-    "acted": lambda k: f"work->input.w_ext[{k // 6}][{k % 6}]",
-    "m_eta": lambda k: f"m_eta[{k}]",
-    "f_eta": lambda k: f"f_eta[{k}]",
-}
-OF_LANES = {
-    "h": lambda k: "over[0]",
-    "ahead": lambda k: "over[1]",
-    "terms": lambda k: f"terms[{k}]",
-    "acted": lambda k: f"acted[{k}]",
-    "m_eta": lambda k: f"work->m_eta[{k}]",
-    "f_eta": lambda k: f"work->f_eta[{k}]",
-}
 
 
 class _RowWriter(LaneWriter):

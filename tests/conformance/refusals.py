@@ -80,13 +80,12 @@ REFUSALS: tuple[Refusal, ...] = (
     *(
         Refusal(
             check,
-            (x,),
+            ("four-bar", "rope"),
             "no posture found balances its load",
-            "loads pull a linkage to the end of its reach",
+            why="a rope pulls it to its end",
             large=True,
         )
         for check in ("equilibrium", "modes")
-        for x in ("four-bar", "elastic four-bar")
     ),
     Refusal("equilibrium", ("ball",), "there is no equilibrium yet", "the search adds coordinates, quaternions do not"),
 )

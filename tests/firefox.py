@@ -29,9 +29,14 @@ return Cc["@mozilla.org/consoleAPI-storage;1"].getService(Ci.nsIConsoleAPIStorag
 """What the page itself wrote to its console."""
 COMPLAINTS = """
 return Services.console.getMessageArray().filter(x => x instanceof Ci.nsIScriptError && !(x.flags & x.infoFlag) &&
-  /^(file|data|http)/.test(x.sourceName)).map(x => x.errorMessage);
+  /^(file|data|http)/.test(x.sourceName)).map(x => x.errorMessage)
+  .filter(x => !x.startsWith("Invalid markup: Incorrect number of children for"));
 """
-"""Errors and warnings about pages, not about the browser itself."""
+"""Errors and warnings about pages, not about the browser itself.
+
+Firefox 153 counts the children of an element of MathML also where its parser pauses in the middle of one, in any long
+page; `test_latex_links` counts them in the whole page.
+"""
 SIZE = """
 const style = gBrowser.selectedBrowser.style;
 for (const bound of ["min", "max"]) {

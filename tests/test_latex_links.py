@@ -71,6 +71,16 @@ def test_every_link_leads_to_one_place(name):
     assert len(marked) > 40 and {f"y{number}" for number in marked} <= set(ids)
 
 
+CHILDREN = {"msub": 2, "msup": 2, "mover": 2, "munder": 2, "mfrac": 2, "mroot": 2, "msubsup": 3, "munderover": 3}
+
+
+@every_robot
+def test_scripts_accents_and_fractions_have_what_they_need(name):
+    elements = [e for e in ElementTree.fromstring(shown(name)).iter() if e.tag in CHILDREN]
+    assert len(elements) > 500
+    assert [ElementTree.tostring(e) for e in elements if len(e) != CHILDREN[e.tag]] == []
+
+
 def test_what_the_lines_compute_is_defined_by_them():
     """Twist, inertia and bias of a link; what a step of a class defines is found in its section."""
     data = json.loads(re.search(r"const DATA = (.*);\n", shown("ella"))[1])["defined"]

@@ -14,6 +14,7 @@ from scipy.optimize import brentq
 
 from screwgen import NoEquilibriumError, Robot, SingularError, UsageError, dump, equilibrium
 from screwgen.cli.main import main
+from screwgen.simulation.state import read_state
 
 ELLA = str(ROOT / "examples" / "ella_paper.toml")
 STIFF = {"soft": 0.0, "max_modes": 1, "max_axes": 2}
@@ -326,6 +327,10 @@ def test_command_prints_json(capsys, tmp_path):
     assert loaded["tau"] == [-3.0, 0.0, 0.0] and loaded["residual"] <= 1e-10
     again = equilibrium(example("ella"), state["q"], state["tau"], state["w_ext"])
     assert np.allclose(loaded["q"], again.q, rtol=1e-9, atol=1e-12)
+    (tmp_path / "rest.json").write_text(json.dumps(loaded))  # a state file too
+    q, v, tau, w_ext = read_state(tmp_path / "rest.json", example("ella"))
+    assert [q.tolist(), tau.tolist(), w_ext.tolist()] == [loaded["q"], state["tau"], state["w_ext"]]
+    assert np.abs(example("ella").numpy().forward_dynamics(q, v, tau, w_ext)[0]).max() < 1e-8
 
 
 def test_command_prints_a_report(capsys):

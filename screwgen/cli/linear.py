@@ -186,7 +186,8 @@ def run_equilibrium(
     if tau is None and hold:
         efforts = without_held(model, efforts, holding, f"{one_line(str(state))}: tau")
     found = equilibrium(model, start, efforts, given.w_ext, hold, free=holding.free)
-    print(json_format.dumps(record(found), allow_nan=False) if json else text(model, found))
+    acting = {"w_ext": given.w_ext.tolist()} if given.w_ext.any() else {}
+    print(json_format.dumps(record(found) | acting, allow_nan=False) if json else text(model, found))
 
 
 def given_efforts(model: Model, tau: str) -> np.ndarray:

@@ -23,6 +23,8 @@ from ..spec.ranges import within
 from ..spec.values import array, refuse, shown
 
 KEYS = ("q", "v", "tau", "w_ext")
+AT_REST = "stability"
+"""A key of what `equilibrium --json` prints: a state, and what else is known of it."""
 MAX_BYTES = 16 * 2**20
 
 
@@ -51,7 +53,8 @@ def state_in(path: str | None, model: RobotModel) -> State:
 def read_state(path: str | os.PathLike[str], model: RobotModel) -> State:
     """The state in the JSON file at `path`: `{"q": […], "v": […], "tau": […], "w_ext": [[6 numbers] per link]}`.
 
-    What is left out is zero; a bare list is `q`; `q` and `v` may give the joints alone. Raises UsageError,
+    What is left out is zero; a bare list is `q`; `q` and `v` may give the joints alone. What `equilibrium --json`
+    prints is the state at rest. Raises UsageError,
     `<file>: <key>: <what is wrong>; <what is allowed>`.
     """
     file = one_line(os.fsdecode(path))
@@ -61,6 +64,8 @@ def read_state(path: str | os.PathLike[str], model: RobotModel) -> State:
 def state_of(data: Any, model: RobotModel, file: str = "state") -> State:
     """The state that `data` (a list, or a dict of lists) describes; `file` is what errors call it."""
     given = data if isinstance(data, dict) else {"q": data}
+    if AT_REST in given:
+        given = {key: given[key] for key in KEYS if key in given}
     with refusals(file):
         if not isinstance(data, dict | list):
             raise refuse(f"is {shown(data)}; it must be a table of {', '.join(KEYS)}, or the array q")

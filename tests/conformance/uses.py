@@ -13,6 +13,7 @@ from conformance.numbers import flat, near
 from screwgen.algorithms.robot_functions import reported
 from screwgen.backends.numpy.closing import moving
 from screwgen.plotting.run_panels import panels
+from screwgen.robot_model import RobotModel
 from screwgen.spec.parameters import parameters
 from screwgen.studies.modes import loaded_motion, movable
 from screwgen.studies.standing import StandingBase
@@ -144,7 +145,10 @@ def identification(case: Case) -> None:
 
 
 def equilibrium(case: Case) -> None:
-    """Where it is found nothing accelerates: joints held, torques follow, with little weight or none."""
+    """Where it is found nothing accelerates: joints held, torques follow; then one let go under the torque that holds.
+
+    With little weight or none.
+    """
     model, chain = case.model, case.model.chain
     weight = 0.0 if chain.floating and not chain.moving else 0.1  # of the robot's: a link of order 2 bends little
     light = {f"gravity[{k}]": weight * g for k, g in enumerate(case.robot["gravity"])}
@@ -153,7 +157,18 @@ def equilibrium(case: Case) -> None:
     moved = (".speed", ".twist_rate[")  # nothing moves
     pulled[[any(x in name for x in moved) for name in model.tau_names[model.n_joints :]]] = 0.0
     rest = screwgen.equilibrium(model, start, pulled if len(pulled) else None, hold=True, parameters=light)
-    f = model.numpy(model.chain.parameters.vector(light))
+    rests(model, rest, light)
+    names = model.q_names[chain.base_q : chain.base_q + model.n_joints]
+    torques = [rest.tau[j] * (name in rest.held_joints) for j, name in enumerate(names)]
+    if any(torques):
+        most = int(np.argmax(np.abs(torques)))
+        alone = np.append(np.where(np.arange(model.n_joints) == most, torques, 0.0), pulled)
+        rests(model, screwgen.equilibrium(model, rest.q, alone, parameters=light, free=[names[most]]), light)
+
+
+def rests(model: RobotModel, rest: screwgen.Equilibrium, parameters: dict[str, float]) -> None:
+    """Nothing accelerates by more than a millionth of what a torque of 1 gives."""
+    f = model.numpy(model.chain.parameters.vector(parameters))
     zero, torques = np.zeros(model.nv), [".brake[" not in name for name in model.tau_names]
     vdot, _ = f.forward_dynamics(rest.q, zero, rest.tau, None)
     pushed = np.abs(f.forward_dynamics(rest.q, zero, rest.tau + torques, None)[0] - vdot).max()

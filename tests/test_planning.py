@@ -6,7 +6,7 @@ from helpers import arm, example, link, loaded_boom, model_of
 
 import screwgen
 from screwgen import UsageError
-from screwgen.simulation.played import PlanWarning, Played
+from screwgen.simulation.played import PlanWarning, Played, read_played
 
 ROTOR, LOAD, EI, LENGTH = 0.4, 1.0, 40.0, 1.0
 LAW = screwgen.PD((60.0,), (12.0,), (0.0,))
@@ -130,6 +130,9 @@ def test_a_plan_is_the_same_from_its_file(tmp_path):
     rows = np.loadtxt(tmp_path / "plan.csv", delimiter=",", skiprows=1)
     s = plan.sampled(1e-2)
     assert np.array_equal(rows, np.column_stack([s.t, s.q, s.v, s.tau])) and len(rows) == 91
+    other = model_of({**one_mode().robot.model_dump(exclude_unset=True), "name": "other"})
+    with pytest.warns(PlanWarning, match=r"plan\.npz: a plan for robot '\w+' is played by 'other', whose torques may"):
+        read_played(tmp_path / "plan.npz", other)
     np.savez(tmp_path / "bad.npz", t=np.zeros(3))
     with pytest.raises(UsageError, match=r"bad\.npz: cannot be read as a plan"):
         screwgen.read_plan(tmp_path / "bad.npz")

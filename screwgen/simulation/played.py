@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import UsageError
+from ..errors import UsageError, one_line
 from ..planning.members import Still
 from ..planning.plan import MotionPlan
 from ..planning.plan_files import read_plan
@@ -22,7 +22,7 @@ AWAY = 1e-6
 
 
 class PlanWarning(UserWarning):
-    """A plan that is played from another state than its own; the text is one line meant for a user."""
+    """A plan that is played from another state than its own, or by another robot; one line meant for a user."""
 
 
 @dataclass(frozen=True)
@@ -86,4 +86,7 @@ def read_played(path: str | os.PathLike[str], model: RobotModel) -> Played:
         own = ", ".join(model.q_names[: model.n_joints]) or "no joints"
         said = f"is a plan for {', '.join(plan.joints)}; the robot has {own}"
         raise UsageError(f"{os.fsdecode(path)}: {said}; plan for this robot")
+    if plan.robot != (name := model.robot.name):
+        said = f"a plan for robot '{one_line(plan.robot)}' is played by '{name}', whose torques may be others"
+        warnings.warn(f"{os.fsdecode(path)}: {said}", PlanWarning, stacklevel=2)
     return Played.of(plan)

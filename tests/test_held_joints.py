@@ -100,6 +100,14 @@ def test_a_state_with_rates_and_torques_is_read(capsys, tmp_path):
     ]
 
 
+def test_degrees_are_suspected(capsys, tmp_path):
+    """An angle of more than two turns gets a note; it is taken as it stands."""
+    (tmp_path / "boom.toml").write_text(dump(model_of(BOOM).robot))
+    out, notes = said(capsys, str(tmp_path / "boom.toml"), "--q", "30,0.2,0.1", "--hold-all", "--json")
+    assert json.loads(out)["q"][0] == 30.0
+    assert notes == "screwgen: note: --q: mast.joint[0] is 30 rad, 4.77 turns; 30 degrees are 0.5236\n"
+
+
 def test_floating_bases_take_names_too():
     model = model_of(SATELLITE | {"gravity": [0.0, 0.0, 0.0]})
     e = equilibrium(model, hold=["left"])

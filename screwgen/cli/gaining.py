@@ -72,7 +72,7 @@ def gains(
     from ..planning.joint_gains import gains as found_gains
     from ..progress import busy
     from ..simulation.runs import check_output, outputs
-    from .linear import numbers
+    from .linear import joint_coordinates
     from .output import load_robot, say, stoppable
 
     quiet = quiet or context.obj
@@ -84,8 +84,7 @@ def gains(
         raise UsageError("--grid and --target: are those of a law with a filter; add --lqg, or leave them out")
     check_output(output, (".toml",))
     arm = derive(load_robot(robot, quiet))
-    m = arm.n_joints
-    postures = [numbers("q", text, m, "joint coordinates", "at") for text in at or ["0 " * m]]
+    postures = [joint_coordinates(text, arm, "at") for text in at or ["0 " * arm.n_joints]]
     with outputs(output) as (stream,):
         with busy("seeking gains", quiet), stoppable():
             law = found_gains(arm, postures, models=models, step=step, integral=integral, bounds=bounds)
@@ -106,7 +105,7 @@ def _write_lqg(
     from ..planning.lqg_make import lqg as found_lqg
     from ..progress import busy
     from ..simulation.runs import outputs
-    from .linear import numbers
+    from .linear import joint_coordinates
     from .output import load_robot, say, stoppable
 
     at, models, bounds, grid = asked
@@ -118,7 +117,7 @@ def _write_lqg(
         raise UsageError("--grid: is missing; give names with values, as 'arm.joint[0]=-1,0,1'")
     check_destination(output, target, (".npz", ".toml") if target else (".npz",), "a law")
     arm = derive(load_robot(robot, quiet))
-    postures = [numbers("q", text, arm.n_joints, "joint coordinates", "at") for text in at]
+    postures = [joint_coordinates(text, arm, "at") for text in at]
     over = dict(map(_values, grid))
     with nullcontext([None]) if target else outputs(output) as (stream,):
         with busy("seeking a law", quiet), stoppable():

@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from ..studies.equilibrium import Equilibrium
     from ..studies.modes import Changed, ModeShapes
 
+TURNS = 4.0 * np.pi
+"""rad: a larger angle in an option is more likely one in degrees."""
+
 
 def run_modes(
     robot: str,
@@ -178,8 +181,7 @@ def run_equilibrium(
     given = state_in(state, model)
     if given.v.any():
         print(f"screwgen: note: {one_line(str(state))}: v: is left out; an arm at rest has none", file=sys.stderr)
-    angles = "joint coordinates" if model.chain.sliding else "joint angles in rad"
-    start = given.q if q is None else numbers("q", q, model.n_joints, angles)
+    start = given.q if q is None else joint_coordinates(q, model)
     efforts = given.tau if tau is None else given_efforts(model, tau)
     if tensions is not None:
         efforts = with_tensions(model, efforts, tensions, tau)
@@ -230,11 +232,24 @@ def run_assemble(robot: str, state: str | None, q: str | None, hold: list[str]) 
         print(f"screwgen: note: {row}: follows from the other rows and is left out", file=sys.stderr)
     start = state_in(state, model).q
     if q is not None:
-        start = numbers("q", q, model.n_joints, "joint coordinates")
+        start = joint_coordinates(q, model)
     found = assemble(model, start, hold)
     print(json_format.dumps({"q": found.tolist()}))
     if names := bent(model, start, found):
         print(f"screwgen: note: loops close with bent links alone: {', '.join(names)} moved", file=sys.stderr)
+
+
+def joint_coordinates(given: str, model: Model, option: str = "q") -> np.ndarray:
+    """The joint coordinates (n_joints,) in an option; a note names angles that are likely degrees."""
+    what = "joint coordinates" if model.chain.sliding else "joint angles in rad"
+    q = numbers("q", given, model.n_joints, what, option)
+    joints = slice(model.chain.base_q, model.chain.base_q + model.n_joints)
+    units = coordinate_units(model.robot)[joints]
+    for name, unit, x in zip(model.q_names[joints], units, q.tolist(), strict=True):
+        if unit == "rad" and abs(x) > TURNS:
+            said = f"{name} is {x:g} rad, {x / (2 * np.pi):.3g} turns"
+            print(f"screwgen: note: --{option}: {said}; {x:g} degrees are {np.radians(x):.4g}", file=sys.stderr)
+    return q
 
 
 def numbers(quantity: str, given: str, size: int, what: str, option: str = "") -> np.ndarray:

@@ -49,14 +49,13 @@ def shape(
     from ..progress import busy
     from ..simulation.controller_files import read_pd
     from ..simulation.runs import outputs
-    from .linear import numbers
+    from .linear import joint_coordinates
     from .output import load_robot, say, stoppable
 
     quiet = quiet or context.obj
     check_destination(output, target, (".toml",), "a shaper")
     model = derive(load_robot(robot, quiet))
-    m = model.n_joints
-    low, high = (numbers("q", text, m, "joint coordinates", key) for key, text in (("from", lower), ("to", upper)))
+    low, high = (joint_coordinates(text, model, key) for key, text in (("from", lower), ("to", upper)))
     ways: dict[str, Any] = {"kind": kind, "modes": modes, "degree": degree, "free": free or ()}
     ways |= {"gains": None if law is None else read_pd(law, model), "payload": _payload(payload)}
     with busy("seeking what vibrates", quiet), stoppable():

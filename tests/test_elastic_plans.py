@@ -1,16 +1,20 @@
 """Plans of arms with elastic drives: judged by bang-bang's closed form, by statics, by the arm beside least jerk."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from helpers import G, arm, example, link, model_of
 from scipy.linalg import expm
+from scipy.optimize import brentq
+from test_lqg import Compiled
 from test_planning import bang_bang
 
 import screwgen
 from screwgen import UsageError
 from screwgen.simulation.controllers import Holding
 
-RATIO, ROTOR, STIFFNESS, LOAD, LENGTH = 50.0, 2e-4, 900.0, 2.0, 0.8
+RATIO, ROTOR, STIFFNESS, LOAD, LENGTH, DENSITY = 50.0, 2e-4, 900.0, 2.0, 0.8, 1e-6
 LAW = screwgen.PD((60.0,), (12.0,), (0.0,))
 FRICTION = {"coulomb": 0.02, "viscous": 1e-4, "velocity": 0.5}
 
@@ -21,7 +25,7 @@ def geared(gravity=0.0, effort=None, **drive):
     own = {key: x for key, x in own.items() if x is not None}
     limits = {} if effort is None else {"limits": {"effort": effort}}
     body = {"at": "tip", "mass": LOAD}
-    row = link("rod", length=LENGTH, rhoA=1e-6, bodies=[body], joint={"drives": own, **limits})
+    row = link("rod", length=LENGTH, rhoA=DENSITY, bodies=[body], joint={"drives": own, **limits})
     return model_of(arm(row, gravity=[0.0, -gravity, 0.0]))
 
 
@@ -98,18 +102,6 @@ def test_the_collaborative_arm_arrives():
     assert arrived.residual < 1e-4 and arrived.residual < 0.04 * least_jerk(model, plan, 1e-3)
 
 
-@pytest.mark.parametrize(
-    "ask",
-    [
-        lambda model: screwgen.feedforward(model, np.zeros((3, 7)), np.zeros((3, 7)), 1e-3),
-        lambda model: screwgen.lqg(model, {"hand.bodies[1].mass": [0.9, 1.1]}),
-    ],
-)
-def test_what_does_not_know_elastic_drives_refuses_them(ask):
-    with pytest.raises(UsageError, match=r"'elastic_joint' has elastic drives, for which there is no "):
-        ask(example("elastic_joint"))
-
-
 def test_the_report_has_the_efforts_of_motors_times_the_ratio():
     model, most = geared(effort=0.5), 0.5 * RATIO
     report = screwgen.plan_report(model, screwgen.plan(model, [0.0], [1.0], 1.0, gains=LAW, fast=True), factors=(1.0,))
@@ -143,3 +135,60 @@ def test_what_vibrates_behind_a_locked_rotor_is_the_load_on_the_gear():
 def test_bounds_of_efforts_are_those_of_the_motor_times_the_ratio():
     found = screwgen.gains(geared(effort=1.2), [[0.0]], bounds={"jump": [0.1]})
     assert 0.5 * 1.2 * RATIO < found.jump_efforts[0] <= 1.2 * RATIO
+
+
+@pytest.fixture(scope="module")
+def filtered():
+    """A law with a filter of an arm that hangs on its gear, over postures and loads."""
+    model = geared(gravity=G, effort=1.2)
+    return model, screwgen.lqg(model, {"rod.joint[0]": [-0.5, 0.5], "rod.bodies[0].mass": [0.7, 1.3]})
+
+
+def test_the_loop_of_a_filter_and_the_whole_arm_decays_as_is_said(filtered):
+    """The arm's own linear model, sampled, with the steps that the law itself does: these are affine within limits."""
+    model, law = filtered
+    step, slow = law.step, []
+    for angle, load in law.grid.vertices:
+        p = model.chain.parameters.vector({"rod.bodies[0].mass": load * LOAD})
+        weight = G * LENGTH * (load * LOAD + DENSITY * LENGTH / 2)
+        twist = brentq(lambda x, a=angle, w=weight: STIFFNESS * x + w * np.cos(a + x), -0.1, 0.1)
+        rest = np.array([angle + twist, RATIO * angle])
+        hold = weight * np.cos(rest[0])
+        linear = model.linearise(rest, tau=[hold / RATIO], parameters=p)
+        whole = expm(step * np.block([[linear.A, linear.B], [np.zeros((1, 5))]]))
+
+        def moved(x, angle=angle, load=load, hold=hold, whole=whole):
+            memory = law.start([angle], [load])
+            memory.x, memory.z = memory.x + x[4:8], memory.z + x[8:]
+            tau = law.sample(memory, [angle + x[1] / RATIO], [angle], loads=[load]) - hold
+            behind = law.start([angle], [load])
+            return np.concatenate([whole[:4] @ [*x[:4], tau[0] / RATIO], memory.x - behind.x, memory.z - behind.z])
+
+        assert np.abs(moved(np.zeros(9))).max() < 1e-9
+        loop = np.array([moved(1e-4 * e) - moved(-1e-4 * e) for e in np.eye(9)]).T / 2e-4
+        s = np.log(np.linalg.eigvals(loop).astype(complex)) / step
+        slow += [*-s.real[np.abs(s.imag) < 2 * np.pi * 0.025 / step]]
+    said = next(line for line in law.lines if line.startswith("4 vertices"))
+    assert f"slowest decay {min(slow):.3g} 1/s" in said and min(slow) > 3.0
+
+
+def test_a_law_with_a_filter_brings_an_elastic_drive_to_rest(filtered):
+    model, law = filtered
+    p = model.chain.parameters.vector({"rod.bodies[0].mass": 1.2 * LOAD})
+    controller = screwgen.LqgLaw.of(law, [0.4], duration=0.8, loads=(1.2,))
+    begin = np.array([-1.2 * LOAD * G * LENGTH / STIFFNESS, 0.0])
+    run = screwgen.simulate(model, 4.0, law.step, begin, controller=controller, parameters=p)
+    assert np.abs(run.tau).max() <= 1.2 and run.q[-1, 1] / RATIO == pytest.approx(0.4, abs=1e-6)
+    held = 1.2 * LOAD * G * LENGTH * np.cos(run.q[-1, 0])
+    assert RATIO * run.tau[-1, 0] == pytest.approx(held, rel=1e-5) and np.abs(run.v[-1]).max() < 1e-4
+
+
+def test_c_of_a_law_with_a_filter_gives_what_python_gives(filtered, tmp_path):
+    law = replace(filtered[1], robot="boom")
+    c, rng, memory = Compiled(law, tmp_path), np.random.default_rng(3), law.start([0.1], [1.1])
+    assert c.start(0.1, 0.0, 0.0, 1.1) == 0
+    for k in range(1000):
+        q, y = 0.4 * np.sin(3e-3 * k), 0.4 * np.sin(3e-3 * k) + 1e-3 * rng.normal()
+        wanted = law.sample(memory, [y], [q], [1.2 * np.cos(3e-3 * k)], [1.1])
+        assert c.sample(law.step * k, y, q, 1.2 * np.cos(3e-3 * k), 1.1) == 0
+        assert c.effort[0] == pytest.approx(wanted[0], abs=1e-12 * law.tau_max[0])

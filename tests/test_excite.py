@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from helpers import arm, model_of
+from helpers import arm, link, model_of
 from identified_arms import SENSORS, TRUE, elsewhere, pendulum
 
 import screwgen
@@ -118,6 +118,25 @@ def test_strains_are_limits_too():
         pendulum(), free=FREE, sensors=SENSORS, limits=LIMITS, time=1.0, start=[-1.5], generations=0, strain=most
     )
     assert np.abs(bent.run.strain).max() <= most
+
+
+def test_a_motion_of_an_elastic_drive_is_that_of_its_rotor():
+    """Limits are those of the rotor over the ratio, and of its torque times it; the run keeps them and uses them."""
+    friction = {"coulomb": 0.02, "viscous": 1e-3, "velocity": 0.5}
+    drive = {"ratio": 50.0, "rotor_inertia": 2e-4, "stiffness": 900.0, "damping": 2.0, "friction": friction}
+    rod = link("rod", length=0.8, rhoA=0.1, bodies=[{"at": "tip", "mass": 2.0}], joint={"drives": drive})
+    model = model_of(arm(rod, gravity=[0.0, -9.81, 0.0]))
+    free = ["*.stiffness", "*.drives[0].damping", "*.viscous", "*.coulomb", "*.mass"]
+    limits = {"lower": [-2.5], "upper": [-0.5], "rates": [3.0], "efforts": [30.0]}
+    found = screwgen.excite(
+        model, free=free, limits=limits, time=1.0, start=[-1.5], bandwidth=6.0, window=0.5, generations=6
+    )
+    run, angle = found.run, found.run.q[:, 1] / 50.0
+    assert [column.measures for column in found.columns.sensors] == ["rod.theta[0]"]
+    assert limits["lower"][0] <= angle.min() and angle.max() <= limits["upper"][0]
+    assert angle[0] == pytest.approx(-1.5) and np.abs(run.q[:, 0] - angle).max() > 1e-2
+    most = np.abs(run.v[:, 1]).max() / 50.0 / 3.0, 50.0 * np.abs(run.tau).max() / 30.0
+    assert 0.7 < max(most) <= 1.0 and found.narrower > 2.0
 
 
 def test_files_of_a_motion_play_its_run(found, tmp_path):

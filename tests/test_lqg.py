@@ -1,11 +1,10 @@
 """Laws with a filter over a grid: what the design minimises, what runs do, and the same in C, at wild inputs too."""
 
 import ctypes
-import subprocess
 
 import numpy as np
 import pytest
-from conftest import require_tool
+from clocked_c import ClockedLaw
 from helpers import arm, example, loaded_boom, model_of
 from robot_toml import to_toml
 from test_planning import ella
@@ -19,7 +18,6 @@ from screwgen.planning.members import Still
 from screwgen.planning.sampled_loop import SampledLoop
 
 STEP = 1e-3
-STRICT = "-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror -O2".split()
 OK, OUTSIDE, BAD_ARGUMENT, NONFINITE, NOT_STARTED, CLOCK_JUMPED = range(6)
 LOAD = "rod.bodies[0].mass"
 GRID = {"rod.joint[0]": [-0.6, 0.0, 0.6], LOAD: [0.7, 1.0, 1.4]}
@@ -94,31 +92,16 @@ def test_a_drive_at_its_limit_does_not_wind_up(model, law):
 # ------------------------------------------------------------------------------ C
 
 
-class Compiled:
+class Compiled(ClockedLaw):
     """A law's C, compiled and loaded."""
 
     def __init__(self, law, folder, compiler="gcc", precision="double"):
-        real = ctypes.c_float if precision == "float" else ctypes.c_double
-        for name, text in law.c().items():
-            (folder / name).write_text(text)
-        defines = ["-DBOOM_REAL_FLOAT"] if precision == "float" else []
-        done = subprocess.run(
-            [require_tool(compiler), *STRICT, *defines, "-shared", "-fPIC", "-o", "law.so", "boom_lqg.c"],
-            cwd=folder,
-            capture_output=True,
-            text=True,
-        )
-        assert (done.returncode, done.stderr) == (0, "")
-        self.library, m, n = ctypes.CDLL(str(folder / "law.so")), len(law.joints), 2 * law.tables.M.shape[-1]
-        members = [("x", real * n), ("z", real * m), ("latest", ctypes.c_double), ("mark", ctypes.c_int)]
-        self.state = type("State", (ctypes.Structure,), {"_fields_": members})()
-        names = [(name, real * m) for name in ("measured", "q", "v", "tau")] + [("load", real * 1)]
-        self.input, self.effort = type("Input", (ctypes.Structure,), {"_fields_": names})(), (real * m)()
-        self._sample = getattr(self.library, f"boom_lqg_sample{'_float' * bool(defines)}")
+        m, n = len(law.joints), 2 * law.tables.M.shape[-1]
+        given = dict.fromkeys(("measured", "q", "v", "tau"), m) | {"load": 1}
+        super().__init__(law.c(), folder, "lqg", {"x": n, "z": m}, given, compiler, precision)
 
     def put(self, measured, q, v=0.0, load=1.0, tau=0.0):
-        for name, x in zip(("measured", "q", "v", "tau", "load"), (measured, q, v, tau, load), strict=True):
-            getattr(self.input, name)[0] = x
+        super().put(measured, q, v, tau, load)
 
     def start(self, *given):
         self.put(*given)
@@ -126,11 +109,7 @@ class Compiled:
 
     def sample(self, time, *given):
         self.put(*given)
-        state, given = ctypes.byref(self.state), ctypes.byref(self.input)
-        return self._sample(state, ctypes.c_double(time), given, self.effort)
-
-    def memory(self):
-        return bytes(self.state), bytes(self.effort)
+        return self.sample_put(time)
 
 
 @pytest.mark.parametrize(("compiler", "precision"), [(c, p) for c in ("gcc", "clang") for p in ("double", "float")])
@@ -170,7 +149,7 @@ def test_wild_inputs_have_a_status_and_no_effort_beyond_its_limit(tmp_path, law)
             assert c.memory() == before
             assert status in (NONFINITE, CLOCK_JUMPED)
     assert seen == {OK, OUTSIDE, NONFINITE, CLOCK_JUMPED}
-    none = [c._sample(None, ctypes.c_double(0.0), None, None), c.library.boom_lqg_start(None, None)]
+    none = [c.of_nothing(), c.library.boom_lqg_start(None, None)]
     assert none == [BAD_ARGUMENT] * 2
 
 
@@ -210,7 +189,7 @@ def test_the_command_writes_tables_or_c(tmp_path, capsys):
     ("given", "said"),
     [
         (["--lqg"], "--grid: is missing; give names with values"),
-        (["--grid", "rod.joint[0]=0,1"], "--grid and --target: are those of a law with a filter; add --lqg"),
+        (["--grid", "rod.joint[0]=0,1"], "--grid: is that of a law with a filter; add --lqg"),
         (
             ["--lqg", "--grid", "rod.joint[0]=1,0"],
             "grid: rod.joint[0]: must have two or more finite numbers, ascending",

@@ -52,7 +52,7 @@ def gains(
     context: typer.Context,
     robot: RobotFile,
     output: Annotated[
-        str, typer.Option("-o", "--output", metavar="FILE", help="gains.toml; of --lqg gains.npz, or a folder.")
+        str, typer.Option("-o", "--output", metavar="FILE", help="gains.toml, of --lqg gains.npz; or a folder.")
     ],
     at: Postures = None,
     model: Factors = None,
@@ -61,7 +61,7 @@ def gains(
     lqg: Annotated[bool, typer.Option("--lqg", help="A linear-quadratic law with filter over a --grid.")] = False,
     grid: Grids = None,
     target: Annotated[
-        str | None, typer.Option(metavar="c", help="Write the law of --lqg as C, into the folder after -o.")
+        str | None, typer.Option(metavar="c", help="Write the law as C, into the folder after -o.")
     ] = None,
     step: Annotated[float, typer.Option(metavar="S", help="Between the samples of the clock.")] = 1e-3,
     quiet: Quiet = False,
@@ -71,7 +71,7 @@ def gains(
     from ..model import derive
     from ..planning.joint_gains import gains as found_gains
     from ..progress import busy
-    from ..simulation.runs import check_output, outputs
+    from ..simulation.runs import outputs
     from .linear import joint_coordinates
     from .output import load_robot, say, stoppable
 
@@ -80,19 +80,21 @@ def gains(
     if lqg:
         _write_lqg(robot, output, target, (at or [], models, bounds, grid or []), step, quiet)
         return
-    if grid or target:
-        raise UsageError("--grid and --target: are those of a law with a filter; add --lqg, or leave them out")
-    check_output(output, (".toml",))
+    if grid:
+        raise UsageError("--grid: is that of a law with a filter; add --lqg, or leave it out")
+    check_destination(output, target, (".toml",), "a law")
     arm = derive(load_robot(robot, quiet))
     postures = [joint_coordinates(text, arm, "at") for text in at or ["0 " * arm.n_joints]]
-    with outputs(output) as (stream,):
+    with nullcontext([None]) if target else outputs(output) as (stream,):
         with busy("seeking gains", quiet), stoppable():
             law = found_gains(arm, postures, models=models, step=step, integral=integral, bounds=bounds)
         stated = {"kp": law.kp, "kd": law.kd, "ki": law.ki, "q_des": postures[0]}
         rows = [f"# {line}\n" for line in law.lines]
         rows += [f"{name} = {values.tolist()}\n" for name, values in stated.items() if values is not None]
-        stream.write("".join(rows).encode())
-    say("\n".join([output, *law.lines]), quiet)
+        if stream is not None:
+            stream.write("".join(rows).encode())
+    files = [output] if target is None else write_c(output, law.c())
+    say("\n".join([*files, *law.lines]), quiet)
 
 
 def _write_lqg(

@@ -69,8 +69,9 @@ def excite(
 ) -> Excitation:
     """A motion within limits that makes best known what is known worst of what is `free`.
 
-    `free`, `sensors`, `window` as of :func:`screwgen.identify`; without `sensors` the joints are measured and the
-    inputs known, and a sensor without `noise` has a hundredth of how much it varies in a random motion. The joints move
+    `free`, `sensors`, `window` as of :func:`screwgen.identify`; without `sensors` the joints are measured, of elastic
+    drives the rotors, and the inputs known, and a sensor without `noise` has a hundredth of how much it varies in a
+    random motion. The joints, of elastic drives the rotors over the ratio with efforts times the ratio, move
     along Fourier series about `start` (n_joints,) of frequencies up to `bandwidth`, Hz, a tenth of the sample rate at
     most; both ends are at rest.
     `limits`: `lower`, `upper`, `rates`, `efforts` (n_joints,) and `strains`, tighter ones than those of the robot file;
@@ -148,10 +149,10 @@ def _series(time: float, step: float, bandwidth: float) -> FourierSeries:
 
 
 def _columns(model: RobotModel, sensors: str | os.PathLike[str] | Columns | None) -> Columns:
-    """The columns of a log; without a table joints are measured and inputs known."""
+    """The columns of a log; without a table what drives measure is, and inputs are known."""
     if sensors is not None:
         return columns_of(model, sensors, Log("motion", np.zeros(0), {}))
-    measured = [Column(name=name, measures=name) for name in model.q_names[: model.n_joints]]
+    measured = [Column(name=name, measures=name) for name in map(model.q_names.__getitem__, model.chain.held_places)]
     return Columns(columns=(*measured, *(Column(name=name, drives=name) for name in model.tau_names)))
 
 
@@ -217,7 +218,7 @@ def _deviation(information: np.ndarray) -> np.ndarray:
 
 def _plan(maker: MotionMaker, made: Motions, lane: int, law: Any) -> MotionPlan:
     """A motion as a plan for a law: at rest at both ends, and between samples with the means of what is held."""
-    model, held, still = maker.model, made.tau[lane], maker.rest.torque
+    model, held, still = maker.model, maker.drives.efforts(made.tau[lane]), maker.rest.torque
     tau = np.vstack([still, (held[:-2] + held[1:-1]) / 2, still])
     q, v, a = made.references[lane]
     held_by = law_of(law, model.n_joints)

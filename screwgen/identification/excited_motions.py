@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import UsageError
+from ..planning.drive_coordinates import DriveCoordinates
 from ..planning.members import Still
 from ..planning.task import MotionLimits
 from ..robot_model import RobotModel
@@ -30,11 +31,11 @@ HEADROOM = 0.95
 
 def broken_limit(limits: MotionLimits, model: RobotModel, run: Run, strain: np.ndarray) -> str:
     """A limit that a run breaks, in words, none where it keeps all; `strain` (samples, entries)."""
-    m = len(limits.lower)
+    drives = DriveCoordinates(model.chain, model.parameter_values)
     for what, names, values, low, high in (
-        ("", model.q_names, run.q[:, :m], limits.lower, limits.upper),
-        ("the rate ", model.v_names, run.v[:, :m], -limits.rates, limits.rates),
-        ("the effort ", model.tau_names, run.tau[:, :m], -limits.efforts, limits.efforts),
+        ("", model.q_names, drives.driven(run.q), limits.lower, limits.upper),
+        ("the rate ", model.v_names, drives.driven(run.v), -limits.rates, limits.rates),
+        ("the effort ", model.tau_names, drives.efforts(run.tau), -limits.efforts, limits.efforts),
         ("the strain ", model.strain_names, strain, -limits.strains, limits.strains),
     ):
         for name, column, least, largest in zip(names, values.T, low, high, strict=False):
@@ -52,7 +53,7 @@ class Motions:
     v: np.ndarray
     tau: np.ndarray
     references: np.ndarray
-    """(lanes, 3, samples, joints): coordinates, rates and accelerations of the joints."""
+    """(lanes, 3, samples, joints): coordinates, rates and accelerations of the joints, as their drives have them."""
 
 
 class MotionMaker:
@@ -63,7 +64,8 @@ class MotionMaker:
     ):
         self.model, self.series, self.start, self.limits, self.p = model, series, start, limits, parameters
         self.step = float(series.t[1])
-        self.rest = Still(model, parameters).held(start)
+        still = Still(model, parameters)
+        self.rest, self.drives = still.held(start), still.drives
 
     @property
     def led(self) -> RobotModel:
@@ -112,8 +114,8 @@ class MotionMaker:
 
     def _run(self, references: np.ndarray) -> Motions:
         """Motions of joints along references (lanes, 3, samples, joints)."""
-        x0 = np.concatenate([self.rest.q, np.zeros(self.model.nv)])
-        given = np.diff(references[:, 1], axis=1) / self.step
+        x0 = np.concatenate([self.drives.to_robot(self.rest.q), np.zeros(self.model.nv)])
+        given = np.diff(references[:, 1], axis=1) / self.step * np.array(self.drives.ratios)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # what is said of single motions is said of the one that is chosen
             run = rollout(self.led, x0, given, step=self.step, parameters=self.p)
@@ -124,7 +126,7 @@ class MotionMaker:
     def strained(self, made: Motions) -> np.ndarray:
         """The largest shares (lanes,) that motions take of what limits and headroom leave of efforts and strains."""
         with np.errstate(invalid="ignore"):
-            share = np.max(np.abs(made.tau) / self.limits.efforts, axis=(1, 2))
+            share = np.max(np.abs(self.drives.efforts(made.tau)) / self.limits.efforts, axis=(1, 2))
         if np.isfinite(self.limits.strains).any():
             bent = np.abs(strain(self.model, made.q, self.p)).max(axis=1)
             share = np.maximum(share, (bent / self.limits.strains).max(axis=1))

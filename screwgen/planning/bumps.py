@@ -183,7 +183,7 @@ class LeastSquares:
         for x in self.members:
             path = self.shape.motion(self.none)
             path[0] -= straight
-            motion = np.einsum("nj,djp->dnp", x.still.drives.rigid, path)
+            motion = np.concatenate([path, np.zeros((3, len(x.start.q) - len(task.start), self.points))], axis=1)
             motion[0] += x.start.q[:, None] + np.outer(x.goal.q - x.start.q, s)
             out.append(motion)
         return out

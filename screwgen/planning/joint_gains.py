@@ -40,8 +40,8 @@ class JointGains:
     """None without integral."""
     figures: LoopFigures
     """How its motions decay; no damping of materials is assumed beyond the file's."""
-    band: float
-    """Hz: up to where motions count as those of the loop."""
+    step: float
+    """s: of the clock."""
     spare: float
     """The factor on all gains up to which nothing grows; at most ten."""
     postures: np.ndarray
@@ -54,6 +54,15 @@ class JointGains:
     """(n_joints,): the largest efforts after a jump of the references, with those that hold the arm."""
     noise_efforts: np.ndarray
     """(n_joints,): the standard deviations of efforts that the noise of sensors causes."""
+    robot: str
+    joints: tuple[str, ...]
+    tau_max: np.ndarray
+    """(n_joints,): limits of drives in the robot file, N·m, of slides N, perhaps infinite."""
+
+    @property
+    def band(self) -> float:
+        """Hz: up to where motions count as those of the loop."""
+        return BAND / self.step
 
     @property
     def decay(self) -> float:
@@ -93,8 +102,18 @@ class JointGains:
         for q, loops in zip(self.postures, self.margins, strict=True):
             at = ", ".join(f"{x:g}" for x in q)
             driven = [j for j in range(len(loops)) if self.kp[j] or self.kd[j]]
-            out += [f"at {at}: joint {j}: {margin_words(loops[j], BAND / self.band)}" for j in driven]
+            out += [f"at {at}: joint {j}: {margin_words(loops[j], self.step)}" for j in driven]
         return out
+
+    def c(self) -> dict[str, str]:
+        """The law as C99, texts by names of files: `<robot>_law.h` and `<robot>_law.c`, which need no others.
+
+        `<robot>_law_sample` gives what a :class:`PD`, with `ki` a :class:`PID`, with these gains, limits and efforts
+        ahead gives at the samples, to rounding. Raises UsageError.
+        """
+        from .joint_gains_c import law_files
+
+        return law_files(self)
 
 
 def margin_words(x: LoopMargin, step: float) -> str:
@@ -130,11 +149,12 @@ def gains(
 
     Raises UsageError where no gains are stable, or none keep the bounds.
     """
-    refuse_robot(model, "search for gains", "state gains of your own", elastic=True)
+    refuse_robot(model, "search for gains", "state gains of your own")
     m, step = model.n_joints, seconds(step, "the step")
     at = postures_within(model, postures)
     values = model.chain.parameters.vector(parameters)
-    limits = GainBounds.of(bounds or {}, DriveCoordinates(model.chain, values).efforts(model.chain.efforts))
+    most = DriveCoordinates(model.chain, values).efforts(model.chain.efforts)
+    limits = GainBounds.of(bounds or {}, most)
     ways = [values, *(scaled(model, values, f) for f in models)]
     own = RestLoops.of(model, ways, at, step)
     richer = with_further_modes(model)
@@ -153,13 +173,16 @@ def gains(
     return JointGains(
         *law,
         figures,
-        BAND / step,
+        step,
         search.spare(law),
         at,
         tuple(worst(each[k * count : (k + 1) * count]) for k in range(len(at))),
         None if further is None else LoopFigures.of([x.poles(law) for x in further.loops], BAND / step),
         efforts,
         noise,
+        model.robot.name,
+        tuple(model.q_names[:m]),
+        most,
     )
 
 

@@ -26,8 +26,8 @@ class LqgMemory:
 class Lqg:
     """Gains of a law and of its filter at the vertices of a grid; :meth:`sample` is what a clock calls.
 
-    The law needs encoders alone. Between vertices gains, model and rests are multilinear. It is scheduled by the
-    references of the joints and by loads that the caller knows.
+    The law needs encoders alone, those of elastic drives on their rotors. Between vertices gains, model and rests are
+    multilinear. It is scheduled by the references of the joints and by loads that the caller knows.
     """
 
     robot: str

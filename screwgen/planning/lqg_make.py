@@ -11,6 +11,7 @@ import numpy as np
 from ..arguments import Given, Numbers, array, seconds
 from ..errors import UsageError
 from ..robot_model import RobotModel
+from .drive_coordinates import DriveCoordinates
 from .further_modes import with_further_modes
 from .gain_search import GROWTH
 from .joint_gains import BAND, STEP, margin_words, postures_within
@@ -50,17 +51,18 @@ def lqg(
 
     Of laws that are stable the one is taken under which the slowest motion decays fastest. Stable it has to be at
     the vertices, in the middles between and at 200 random points, of all models, and with the next two modes of
-    every plane. Raises UsageError where none is.
+    every plane. Of a joint behind an elastic gear all is said of the rotor: its angle over the ratio, its effort times
+    the ratio. Raises UsageError where none is.
     """
     refuse_robot(model, "law with a filter", "state gains of your own")
     m, step = model.n_joints, seconds(step, "the step")
-    own = model.chain.efforts
+    values = model.chain.parameters.vector(parameters)
+    own = DriveCoordinates(model.chain, values).efforts(model.chain.efforts)
     limits = own if efforts is None else np.minimum(own, array(efforts, "efforts:", (m,)))
     if not (limits > 0).all():
         raise UsageError("efforts: must be > 0: the law needs a drive at every joint")
     over = Grid.of(model, grid)
-    ways = [model.chain.parameters.vector(parameters)]
-    ways += [scaled(model, ways[0], factors) for factors in models]
+    ways = [values, *(scaled(model, values, factors) for factors in models)]
     arms = LqgArms(model, with_further_modes(model), over, ways, postures_within(model, postures or [[0.0] * m]), step)
     rests = [arms.rest(x, arms.postures[0]) for x in over.vertices]
     if (short := np.argwhere(np.abs([x.hold for x in rests]) > limits)).size:

@@ -64,7 +64,7 @@ def plan(
 
     Raises UsageError, which names the limit where one forbids the motion.
     """
-    refuse_robot(model, elastic=True)
+    refuse_robot(model)
     m, began = model.n_joints, clock.perf_counter()
     bounds, law = motion_limits(model, limits or {}, gains), law_of(gains, m, bool(models))
     intervals = whole(intervals, "intervals", LEAST, LARGEST)

@@ -74,7 +74,7 @@ class Still:
 
     def held(self, joints: np.ndarray, near: np.ndarray | None = None) -> AtRest:
         """The rest with the drives where they are said to be."""
-        q = self.drives.rigid @ joints if near is None else near.copy()
+        q = np.zeros(self.model.nq) if near is None else near.copy()
         q[: self.joints] = joints
         q = self._newton(q, np.zeros(self.joints), np.full(self.joints, np.inf))
         return AtRest(q, np.array(self.statics(q)[0]).ravel()[: self.joints])
@@ -109,8 +109,7 @@ class Still:
 
     def rigid_inertia(self, q: np.ndarray) -> np.ndarray:
         """(n_joints, n_joints): the inertia that drives move where nothing bends or twists."""
-        rigid = self.drives.rigid
-        return rigid.T @ np.array(self.inertia(q)) @ rigid
+        return np.array(self.inertia(q))[: self.joints, : self.joints]
 
     def energy(self, q: np.ndarray, kp: np.ndarray) -> np.ndarray:
         """(2 n, 2 n): of displacements from a rest and rates, twice their energy; joints on springs `kp`."""

@@ -27,19 +27,16 @@ GROUPS = {
 ROUNDING = 1e-9
 
 
-def refuse_robot(
-    model: RobotModel, what: str = "plan", instead: str = "give references of your own", elastic: bool = False
-) -> None:
-    """Refuse robots whose coordinates are not joints with a drive each, and modes; ``what``: there is none for them.
+def refuse_robot(model: RobotModel, what: str = "plan", instead: str = "give references of your own") -> None:
+    """Refuse robots whose coordinates are not those of joints with a drive each, of gears that twist, and of modes.
 
-    `elastic`: gears may twist, so that drives have coordinates of their own.
+    ``what``: there is none for them.
     """
     chain = model.chain
     chain.refuse_quaternion_joints(what, instead)
     chain.refuse_floating_base(what, instead)
     chain.refuse_loops(what, instead)
     others = {
-        "elastic drives": bool(chain.n_added) and not elastic,
         "transmissions": bool(chain.travels),
         "axes whose motion is given": bool(len(chain.prescribed)),
         "brakes": bool(chain.braked),

@@ -135,7 +135,7 @@ def _spline(task: Task, member: PlannedModel, s: np.ndarray) -> Trajectory:
     when = [0.0, *(x.share for x in task.through), 1.0]
     q = np.array([member.start.q + share * (member.goal.q - member.start.q) for share in when])
     for row, point in zip(q[1:-1], task.through, strict=True):
-        row += member.still.drives.rigid @ (point.joints - row[: len(task.start)])
+        row[: len(task.start)] = point.joints
     path, T = CubicSpline(when, q, bc_type="clamped"), task.time
     return Trajectory(path(s).T, path(s, 1).T / T, path(s, 2).T / T**2)
 

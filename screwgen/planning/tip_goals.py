@@ -28,7 +28,7 @@ def inverse_kinematics(
     The links sag under their weight. Of several postures it is one close to `near` (n_joints,), zero if not given.
     Raises UsageError where the place is out of reach within the limits of joints, or the posture is singular there.
     """
-    refuse_robot(model, "inverse kinematics", "state joint coordinates", elastic=True)
+    refuse_robot(model, "inverse kinematics", "state joint coordinates")
     m = model.n_joints
     place = array(tip, "tip:", (3,))
     begin = np.zeros(m) if near is None else array(near, "near:", (m,))

@@ -56,6 +56,10 @@ def track(
     Joints follow the tip in the directions in which they move it, one per joint; in others it is off by what bending
     shortens. `step`: between the points of the plan, s. `gains`: a law with `kp` and `kd` to play it under.
 
+    Of a joint behind an elastic gear the plan says what its rotor does, over the ratio; the tip is where the path is
+    nevertheless. The rotor moves as the tip's acceleration, so its torque is finite where the path is smooth up to its
+    third derivative, or links that bend make it so.
+
     Raises UsageError: a path out of reach, a singular posture, a path that jumps, too short a preview.
     """
     refuse_robot(model, "tip path", "give joint references of your own")
@@ -72,11 +76,15 @@ def track(
     window = Window(points + 1 + 2 * more, step)
     t = step * (np.arange(window.count) - more) - preview
     goal = _sampled(path, t, time, step)
-    tip, still = _tip(model, p), Still(model, p)
+    still = Still(model, p)
+    tip = _tip(still)
     joints = _rigid(model, tip, goal, array(near, "near:", (m,)))
     equations = TipEquations(still, tip, goal, joints)
     start = np.hstack([joints, np.tile(still.held(joints[0]).q[m:], (len(t), 1))])
     q, v, a, iterations = inverted(equations, window, start, progress)
+    if model.chain.n_added and (k := _jump(q[:, :m], step)):
+        jumps = f"its acceleration or the rate of that jumps at {t[k]:.4g} s, and with it a rotor behind its gear"
+        raise UsageError(f"path: {jumps}; give a path that is smooth up to its third derivative")
     played = slice(more, more + points + 1)
     _check_cut(q[:, :m], played, preview)
     said = {"iterations": iterations, "seconds": clock.perf_counter() - began, "preview": preview}
@@ -109,17 +117,21 @@ def _sampled(path: Path, t: np.ndarray, time: float, step: float) -> np.ndarray:
         raise UsageError(f"path: gives {said} at {len(t)} times; it must give ({len(t)}, 3), m")
     if not np.isfinite(goal).all():
         raise UsageError("path: gives a NaN or an infinity; it must give finite numbers")
-    over = [np.abs(goal[2 * k :] - 2 * goal[k:-k] + goal[: -2 * k]).max(axis=1) / (k * step) ** 2 for k in (1, 2)]
-    if over[0].max() > JUMPS * over[1].max():
-        k = int(over[0].argmax()) + 1
+    if k := _jump(goal, step):
         raise UsageError(f"path: it or its rate jumps at {t[k]:.4g} s; begin and end at rest, and give a smooth one")
     return goal
 
 
-def _tip(model: RobotModel, p: np.ndarray) -> ca.Function:
-    """The place of the tip (3,) as a function of coordinates."""
-    q = ca.SX.sym("q", model.nq)
-    return ca.Function("tip", [q], [model.casadi()["tip_pose"](q, p)[1]])
+def _jump(x: np.ndarray, step: float) -> int:
+    """The sample of rows (count, …) at which they or their rates jump, 0 where they are smooth."""
+    over = [np.abs(x[2 * k :] - 2 * x[k:-k] + x[: -2 * k]).max(axis=1) / (k * step) ** 2 for k in (1, 2)]
+    return int(over[0].argmax()) + 1 if over[0].max() > JUMPS * over[1].max() else 0
+
+
+def _tip(still: Still) -> ca.Function:
+    """The place of the tip (3,) as a function of coordinates, those of drives first."""
+    q = ca.SX.sym("q", still.model.nq)
+    return ca.Function("tip", [q], [still.model.casadi()["tip_pose"](still.drives.to_robot(q), still.p)[1]])
 
 
 def _rigid(model: RobotModel, tip: ca.Function, goal: np.ndarray, near: np.ndarray) -> np.ndarray:

@@ -76,10 +76,10 @@ class FeedforwardPD(PD):
         return self.efforts_ahead[k]
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """The torques, N·m, of slides forces, N."""
+        """The torques, N·m, of slides forces, N, where they act: on the rotors of elastic drives."""
         q_ref, v_ref = self.reference(t)
         lag, late = q_ref - self.measured(q, self.ahead), v_ref - self.measured(v)
-        tau = self.ahead_at(t) + np.array(self.kp) * lag + np.array(self.kd) * late
+        tau = (self.ahead_at(t) + np.array(self.kp) * lag + np.array(self.kd) * late) / self.own_ratios
         most = self.bounds
         return np.append(tau if most is None else np.clip(tau, -most, most), np.zeros(self.idle))
 

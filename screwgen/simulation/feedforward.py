@@ -44,9 +44,10 @@ class FedMotion(NamedTuple):
     """Efforts along a motion, and the coordinates that go with them."""
 
     tau: np.ndarray
-    """(N − 1, n_joints): means of the efforts from each sample to the next, N·m, of slides N."""
+    """(N − 1, n_joints): means of the efforts from each sample to the next, N·m, of slides N; of elastic drives times
+    the ratio."""
     q: np.ndarray
-    """(N, nq): coordinates at the samples, those of joints as given."""
+    """(N, nq): coordinates at the samples, those of joints, of elastic drives of the rotors, as given."""
     v: np.ndarray
     """(N, nv): their rates."""
 
@@ -55,14 +56,15 @@ def feedforward(model: RobotModel, q: Numbers, v: Numbers, step: float, paramete
     """The efforts with which joints move as given, and the bending that comes with it.
 
     `q`, `v` (N, n_joints): coordinates, rad, of slides m, and rates of the joints at N samples, `step` seconds apart.
-    The arm begins at rest with the joints at `q[0]`, bent as gravity bends it.
+    The arm begins at rest with the joints at `q[0]`, bent as gravity bends it. Of a joint behind an elastic gear all is
+    said of the rotor: its angle over the ratio, its effort times the ratio.
 
     A held joint damps no bending: what the motion excites goes on, and the efforts hold against it. So this belongs to
     motions that leave no vibration, such as those of :func:`plan`, and under a joint law.
 
     Raises UsageError on other shapes, on numbers that are not finite, on a start that moves, on rates that are not
     those of the coordinates, on a motion beyond the limits of joints and drives in the robot file, and for robots whose
-    efforts do not follow from the motion of joints alone: elastic drives, loops, floating bases.
+    efforts do not follow from the motion of joints alone, as those with loops or on floating bases.
     """
     m, step = model.n_joints, seconds(step, "the step")
     ahead = Feedforward(model, parameters)
@@ -112,13 +114,14 @@ class Feedforward:
         p = model.chain.parameters.vector(parameters)
         copy = moved_model(model)
         self.joints, self.still = model.n_joints, Still(model, p)
+        self.places, self.ratios = self.still.drives.places, np.array(self.still.drives.ratios)
         self.stepper, self.p = JointStepper(copy, METHOD, p), p
         self.inverse = CasadiEvaluator(copy.casadi()["inverse_dynamics"])
         self.free = np.zeros((model.n_links, 6))
 
     def at_rest(self, joints: np.ndarray) -> JointState:
         """The arm at rest with its joints where they are said to be, (n_joints,)."""
-        q = self.still.held(joints).q
+        q = self.still.drives.to_robot(self.still.held(joints).q)
         return self.stepper.initial(q, np.zeros_like(q))
 
     def next(self, state: JointState, q: np.ndarray, v: np.ndarray, step: float) -> tuple[JointState, np.ndarray]:
@@ -126,12 +129,12 @@ class Feedforward:
 
         Raises DivergedError or SingularError where the arm cannot move so.
         """
-        m = self.joints
-        later = self.stepper.step(state, (v - state.v[:m]) / step, self.free, step)
-        later.q[:m], later.v[:m] = q, v
+        given = self.ratios * q, self.ratios * v
+        later = self.stepper.step(state, (given[1] - state.v[self.places]) / step, self.free, step)
+        later.q[self.places], later.v[self.places] = given
         middle = (state.q + later.q) / 2, (state.v + later.v) / 2
         force = self.inverse(*middle, (later.v - state.v) / step, self.free, self.p)[0]
-        return later, force[:m]
+        return later, self.ratios * force[self.places]
 
     def along(self, references: Iterator[tuple[np.ndarray, np.ndarray]], step: float) -> Iterator[np.ndarray]:
         """The mean efforts between references `(q, v)` at samples, from rest at the first, as they are asked for."""
@@ -142,7 +145,7 @@ class Feedforward:
 
 
 def moved_model(model: RobotModel) -> RobotModel:
-    """The model of the robot whose axes all move as given, at the same parameters; refuses elastic drives, loops."""
+    """The model of the robot whose axes all move as given, at the same parameters; refuses loops."""
     refuse_robot(model, "feedforward", "use a joint law alone")
     return model.once("feedforward", lambda: RobotModel(moved(model.robot)))
 

@@ -69,7 +69,10 @@ class LqgLaw(PD):
         return law
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """The efforts, N·m, of slides forces, N, where they act; those of a time that was asked for are kept."""
+        """The efforts, N·m, of slides forces, N, where they act: on the rotors of elastic drives.
+
+        Those of a time that was asked for are kept.
+        """
         measured, (reference, rates) = self.measured(q, self.ahead), self.reference(t)
         if not self.memory:
             self.memory[:] = [-np.inf, None, self.tables.start(measured, self.loads), False]
@@ -79,7 +82,7 @@ class LqgLaw(PD):
                 self.memory[3] = True
                 warnings.warn(line, ModelValidityWarning, stacklevel=2)
             self.memory[:2] = t, self.tables.sample(memory, measured, reference, rates, self.loads)
-        return np.append(self.memory[1], np.zeros(self.idle))
+        return np.append(self.memory[1] / self.own_ratios, np.zeros(self.idle))
 
 
 def read_lqg_law(path: str | os.PathLike[str], model: RobotModel) -> LqgLaw:

@@ -29,25 +29,35 @@ int main(void)
     static boom_feedforward_parameters p;
     static boom_feedforward_constants c;
     static boom_feedforward_state state, before;
-    static boom_feedforward_input none;
     static boom_feedforward_efforts_work work;
-    boom_feedforward_real q[M], v[M], tau[M], kept[M], bad[M], force[NV], step;
+    boom_feedforward_real q[M], v[M], tau[M], kept[M], bad[M], step;
     int k, more = 1;
     boom_feedforward_parameters_default(&p);
     step = number(&more);
     if (boom_feedforward_prepare(&p, &c) != BOOM_FEEDFORWARD_OK || !sample(q, v)) {
         return 1;
     }
-    memcpy(state.q, q, sizeof q);
-    for (k = 0; k < 5; ++k) {
-        if (boom_feedforward_gravity(&c, &state, &none, &work.chain, force, &state) != BOOM_FEEDFORWARD_OK) {
-            return 1;
-        }
-    }
     for (k = 0; k < M; ++k) {
         bad[k] = tau[k] = kept[k] = 0;
     }
     bad[0] /= bad[0];
+    memcpy(state.q, q, sizeof q);
+#ifdef ELASTIC
+    before = state;
+    if (boom_feedforward_at_rest(&c, bad, &work, &state) != BOOM_FEEDFORWARD_NONFINITE
+        || boom_feedforward_at_rest(&c, q, 0, &state) != BOOM_FEEDFORWARD_BAD_ARGUMENT
+        || memcmp(&before, &state, sizeof state) || boom_feedforward_at_rest(&c, q, &work, &state)) {
+        return 1;
+    }
+#else
+    for (k = 0; k < 5; ++k) {
+        static boom_feedforward_input none;
+        boom_feedforward_real force[NV];
+        if (boom_feedforward_gravity(&c, &state, &none, &work.chain, force, &state) != BOOM_FEEDFORWARD_OK) {
+            return 1;
+        }
+    }
+#endif
     before = state;
     printf("%d ", boom_feedforward(&c, &state, bad, v, step, &work, tau));
     printf("%d ", boom_feedforward(&c, &state, q, bad, step, &work, tau));

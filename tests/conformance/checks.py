@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
-from conformance import commands, filtered, folders, measured, numbers, slopes, uses
+from conformance import commands, filtered, folders, measured, numbers, planned, slopes, uses
 from conformance.cases import Case
 from conformance.refusals import refusals_of
 from screwgen import ScrewgenError
@@ -58,6 +58,9 @@ CHECKS: dict[str, Check] = {
     ),
     "identification": Check(uses.identification, "a mass is found again from what a run records"),
     "equilibrium": Check(uses.equilibrium, "where it is found nothing accelerates"),
+    "plan": Check(
+        planned.plan, "a planned motion is played as planned, by a law so weak that torques ahead must be right"
+    ),
     "modes": Check(uses.modes, "frequencies and shapes with the joints locked and free"),
     "document": Check(uses.document, "a program that reads its steps alone computes accelerations and wrenches"),
     "commands": Check(commands.every_command, "every command ends well"),

@@ -24,6 +24,10 @@ class Refusal(NamedTuple):
 
 LOOPED = ("ball loop", "hinge loop", "slide loop", "welded loop", "coupling")
 BETWEEN = ("line spring", "rope", "bushing", "winch", "compliant loop")
+NOT_PLANNED = (
+    *("floating", "afloat", "moving", "ball", "tendon", "shared tendon", "cylinder", "four-bar", "elastic cylinder"),
+    *("elastic four-bar", "bristles", "given motion", "brakes", *LOOPED, "winch"),
+)
 REFUSALS: tuple[Refusal, ...] = (
     *(
         Refusal("derivatives of wrenches", (x,), "those of robots with loops are not derived", "not derived for loops")
@@ -87,6 +91,7 @@ REFUSALS: tuple[Refusal, ...] = (
         )
         for check in ("equilibrium", "modes")
     ),
+    *(Refusal("plan", (x,), "for which there is no plan", "plans are of arms with a drive each") for x in NOT_PLANNED),
     Refusal("equilibrium", ("ball",), "there is no equilibrium yet", "the search adds coordinates, quaternions do not"),
 )
 

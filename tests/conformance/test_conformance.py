@@ -23,7 +23,7 @@ SHORT = [ROWS.index(row) for row in few()]
 DRAWN = random_rows(48)
 LONG = (
     *("JAX, gradients", "mock-up unit", "C folder", "commands", "derivatives by parameters", "estimator of parameters"),
-    *("C, float", "lanes, float"),
+    *("C, float", "lanes, float", "plan"),
 )
 """Checks that try each feature, but not each pair: they take long, or compile a text again in another precision."""
 QUICK = tuple(name for name in CHECKS if name not in LONG)

@@ -145,9 +145,8 @@ def identification(case: Case) -> None:
 
 
 def equilibrium(case: Case) -> None:
-    """Where it is found nothing accelerates: joints held, torques follow; then one let go under the torque that holds.
-
-    With little weight or none.
+    """Where it is found nothing accelerates: joints held, torques follow; then the last let go under the torque that
+    holds, with all between drive and joint. With little weight or none.
     """
     model, chain = case.model, case.model.chain
     weight = 0.0 if chain.floating and not chain.moving else 0.1  # of the robot's: a link of order 2 bends little
@@ -161,9 +160,9 @@ def equilibrium(case: Case) -> None:
     names = model.q_names[chain.base_q : chain.base_q + model.n_joints]
     torques = [rest.tau[j] * (name in rest.held_joints) for j, name in enumerate(names)]
     if any(torques):
-        most = int(np.argmax(np.abs(torques)))
-        alone = np.append(np.where(np.arange(model.n_joints) == most, torques, 0.0), pulled)
-        rests(model, screwgen.equilibrium(model, rest.q, alone, parameters=light, free=[names[most]]), light)
+        last = int(np.flatnonzero(torques)[-1])
+        alone = np.append(np.where(np.arange(model.n_joints) == last, torques, 0.0), pulled)
+        rests(model, screwgen.equilibrium(model, rest.q, alone, parameters=light, free=[names[last]]), light)
 
 
 def rests(model: RobotModel, rest: screwgen.Equilibrium, parameters: dict[str, float]) -> None:

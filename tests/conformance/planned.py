@@ -1,0 +1,36 @@
+"""The check of motions: what a plan says is what the robot does."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import screwgen
+from conformance.cases import Case
+from screwgen.planning.members import Still
+from screwgen.planning.refusals import refuse_robot
+
+WAY, TIME = 0.1, 2.0
+"""rad or m, and s."""
+STIFF, DAMPED = 4.0, 0.5
+"""1/s² and 1/s, times inertia: of a law so weak that it mends little of what torques ahead are wrong."""
+STEP = 1.25e-4
+OFF = 5e-4
+"""rad or m, half a percent of the way: how far joints may be from what was planned, and the tip may move after."""
+
+
+def plan(case: Case) -> None:
+    """A small motion, planned by least squares and played: joints go as planned, and then nothing moves.
+
+    Under little weight, as links of second order bend little.
+    """
+    model, start = case.model, np.zeros(case.model.n_joints)
+    light = {f"gravity[{k}]": 0.1 * g for k, g in enumerate(case.robot["gravity"])}
+    refuse_robot(model)
+    still = Still(model, model.chain.parameters.vector(light))
+    inertia = np.diag(still.rigid_inertia(still.held(start).q))
+    law = screwgen.PD(tuple(STIFF * inertia), tuple(DAMPED * inertia), tuple(start))
+    found = screwgen.plan(model, start, start + WAY, TIME, gains=law, fast=True, parameters=light)
+    played = screwgen.play(model, found, step=STEP, after=0.2, parameters=light)
+    planned = np.array([found.reference(t)[0] for t in played.run.t])
+    off = np.abs(still.drives.driven(played.run.q) - planned).max()
+    assert off <= OFF and played.residual <= OFF, f"{off:.1e} off, its tip moves by {played.residual:.1e} after"

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import partial
+
+import casadi as ca
 import numpy as np
 import pytest
 from bad_robot_files import GOOD, refused
@@ -174,11 +177,24 @@ def test_the_step_map_of_an_unloaded_joint_is_that_of_the_step(method):
     assert found == pytest.approx(differences, rel=1e-5, abs=1e-5 * np.abs(differences).max())
 
 
-def test_derivatives_of_implicit_steps_are_refused_in_c():
-    compiled = model_of(pendulum(1e4)).compile(derivatives=True)
-    with pytest.raises(screwgen.UsageError, match="it takes a loop whose joint gives way at its end; use CasADi's"):
-        compiled.step_derivatives(hanging(0.1), np.zeros(3), None, None, 1e-3)
-    assert compiled.step_derivatives(hanging(0.1), np.zeros(3), None, None, 1e-4, "rk4")[2].shape == (6, 6)
+@pytest.mark.parametrize("stiffness", [1e4, 1e12])
+def test_derivatives_of_a_step_in_c_are_those_of_casadi_and_differences_of_the_step(stiffness):
+    """Two derivatives by rounding differ the more the stiffer a row is, at 1e12 N/m by 2e-9 of the largest."""
+    model, h, x = model_of(linkage(stiffness, 20.0)), 1e-3, ca.MX.sym("x", 11)
+    rng = np.random.default_rng(1)
+    q = screwgen.assemble(model_of(linkage()), [1.0, -1.0, 1.2, 0.0]) + 1.0 / stiffness
+    v, tau, w_ext = rng.normal(size=4), rng.normal(size=3), rng.normal(size=(3, 6))
+    compiled, at = model.compile(derivatives=True), np.concatenate([q, v, tau])
+    for method in IMPLICIT:
+        step = partial(lambda m, x: np.concatenate(compiled.step(x[:4], x[4:8], x[8:], w_ext, h, m)), method)
+        *new, A, B = compiled.step_derivatives(q, v, tau, w_ext, h, method)
+        assert np.concatenate(new) == pytest.approx(step(at), rel=1e-14)
+        after = model.casadi()[f"step_{method}"](x[:4], x[4:8], x[8:], w_ext.T, model.parameter_values, h)
+        by_casadi = np.array(ca.Function("slopes", [x], [ca.jacobian(ca.vertcat(*after), x)])(at))
+        slopes = np.hstack([A, B])
+        assert np.abs(slopes - by_casadi).max() < (1e-11 if stiffness < 1e12 else 1e-8) * np.abs(slopes).max()
+        differences = np.array([(step(at + e) - step(at - e)) / 2e-6 for e in 1e-6 * np.eye(11)]).T
+        assert np.abs(slopes - differences).max() < 1e-5 * np.abs(slopes).max()
 
 
 # ------------------------------------------------------------------------------------------ files

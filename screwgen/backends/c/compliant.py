@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 
 from ...algorithms.tip_programs import row_terms, row_wrenches
+from ...integrators.traced import stage_slopes
 from ...ir.program import Program
-from ...ir.split import KEPT
+from ...ir.split import KEPT, split_before
 from ...topology.chain import Chain
 from .batch import LONGEST, LaneWriter, angles_of
-from .code import Place, singular
-from .pieces import bodies, piece_place, pieces
+from .code import Place, Writer, entries, singular, with_unused
+from .pieces import PIECE, bodies, piece_place, pieces
 
 CONSTANT = re.compile(r"= (-?(?:\d+|\$\$_REAL\([-+.e\d]+\)));$")
 """The assignment of a number."""
@@ -52,6 +53,49 @@ def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
         lanes[name] = _lanes(chain, program, at)
     kept = max(part["kept"] for part in made.values())
     return {"compliant": made | {"kept": kept, "count": 2 * len(chain.compliant), "lanes": lanes}}
+
+
+OF_STAGE = {
+    "q_start": entries("from->q"),
+    "v_start": entries("from->v"),
+    "h": lambda k: "dt",
+    "ahead": lambda k: "(from != state)",
+    "weights": lambda k: f"(row == {k})",
+    "vdot": entries("out->vdot"),
+    "by_q": lambda k: f"work->slopes.vdot_q[row][{k}]",
+    "by_v": lambda k: f"work->slopes.vdot_v[row][{k}]",
+    "by_tau": lambda k: f"out->vdot_tau[row][{k}]",
+    "by_q_start": lambda k: f"out->vdot_q[row][{k}]",
+    "by_v_start": lambda k: f"out->vdot_v[row][{k}]",
+}
+"""The same of the accelerations of a stage and of the derivatives of one of them."""
+OF_SLOPES = ("c", "from", "state", "input", "dt", "work", "out")
+
+
+def slopes(chain: Chain, baked: bool, at: Place) -> dict[str, object] | None:
+    """The templates' context of the derivatives of implicit stages; None without such loops.
+
+    ``first``: the functions of the accelerations, ``more``: those that run for each of them; ``count``: the operations.
+    """
+    if not chain.compliant:
+        return None
+    program = stage_slopes(chain, "baked" if baked else "constants")
+    place = piece_place(chain, "work->stage_kept", OF_STAGE, at)
+    first, more, kept = split_before(program, "weights", PIECE)
+
+    def written(parts: list[Program], *own: str) -> list[list[str]]:
+        given = (*OF_SLOPES, *own)
+        return [with_unused(given, Writer(part, place, singular, {*given, KEPT}, apart=True).lines()) for part in parts]
+
+    again = sum(part.operation_count for part in more)
+    count = program.operation_count + (chain.nvz - 1) * again
+    return {
+        "first": written(first),
+        "more": written(more, "row"),
+        "kept": max(kept, 1),
+        "program": program,
+        "count": count,
+    }
 
 
 class _RowWriter(LaneWriter):

@@ -28,8 +28,8 @@ import numpy as np
 
 from ..errors import SingularError
 from ..ir.program import Array, Program, Tracer, Value
+from ..joints.compliant import of_row
 from ..topology.chain import Chain
-from ..topology.forces import CompliantRow
 from . import loops
 from . import matrices as mx
 from .schedule import Apply
@@ -88,12 +88,9 @@ class CompliantFunctions:
 
     def stiffness_and_damping(self) -> list[tuple[Value, Value]]:
         """Stiffness and damping of every row."""
-        return [_pair(one, self.world[3:][one.force.numbers]) for one in self.chain.compliant]
-
-
-def _pair(row: CompliantRow, numbers: Sequence) -> tuple[Value, Value]:
-    own = dict(zip(row.force.shape.stated, numbers, strict=True))
-    return own["stiffness"], own.get("damping", 0.0)
+        numbers = self.world[3:]
+        laws = [(one.closing.row, one.force.shape.keys(numbers[one.force.numbers])) for one in self.chain.compliant]
+        return [of_row(row, keys) for row, keys in laws]
 
 
 OF_ALL = ("h", "ahead")

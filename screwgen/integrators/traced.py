@@ -64,8 +64,8 @@ class TracedAccelerations:
         vdot = under.forward_dynamics(*moved, tau, w_ext)[0]
         rate_of = lambda law, i, given: self.f.apply(0, -1, state_rate(law), given | {"a": [vdot[i]]})  # noqa: E731
         order = sorted(remembering, key=lambda one: one[0])
-        start = list(v[chain.force_states])
-        of_forces = self.f.under_inputs(self.held[0]).force_rates(list(q_there), list(v_there), start, h)
+        states = list(v[chain.force_states])
+        of_forces = self.f.under_inputs(self.held[0]).force_rates(list(q_there), list(v_there), states, h)
         return _array([*vdot, *(rate_of(*one)["rate"][0] for _, *one in order), *of_forces])
 
 
@@ -97,7 +97,7 @@ def stage_slopes(chain: Chain, constants: str = "constants") -> Program:
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> Outputs:
         held = TracedAccelerations(f, x["tau"], x["w_ext"])
-        start, there = (tuple(_array(x[n + end]) for n in "qv") for end in ("_start", ""))
+        start, there = (_array(x["q_start"]), _array(x["v_start"])), (_array(x["q"]), _array(x["v"]))
         vdot = list(held.at_stage(start, x["h"][0], there, x["ahead"][0]))
         names = ("q", "v", "tau", "q_start", "v_start")
         found = gradients(vdot, x["weights"], [value for name in names for value in x[name]])

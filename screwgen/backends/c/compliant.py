@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 from ...algorithms.tip_programs import row_terms, row_wrenches
 from ...integrators.traced import stage_slopes
@@ -72,7 +73,7 @@ OF_STAGE = {
 OF_SLOPES = ("c", "from", "state", "input", "dt", "work", "out")
 
 
-def slopes(chain: Chain, baked: bool, at: Place) -> dict[str, object] | None:
+def slopes(chain: Chain, baked: bool, at: Place) -> dict[str, Any] | None:
     """The templates' context of the derivatives of implicit stages; None without such loops.
 
     ``first``: the functions of the accelerations, ``more``: those that run for each of them; ``count``: the operations.

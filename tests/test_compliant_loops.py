@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from bad_robot_files import GOOD, refused
 from batch_c import CompiledBatch, stepped
+from fmi_units import Unit
 from helpers import model_of
 
 import screwgen
@@ -122,6 +123,62 @@ def test_without_bound_of_stiffness_it_is_the_rigid_loop(form):
         apart.append(np.abs(ends[0] - ends[1]).max())
     assert apart[0] < 5e-7
     assert apart[1] < 0.7 * apart[0]
+
+
+WAYS = {"c": {}, "numpy": {"backend": "numpy"}, "dae": {"form": "dae"}}
+"""How a run may be made."""
+
+
+@pytest.mark.parametrize(("method", "order"), [("modal_midpoint", 0.45), ("modal_implicit", 0.6)])
+def test_the_force_that_runs_report_is_that_of_the_rigid_loop(method, order):
+    """At 1e12 N/m gaps that are 1e-8 m wrong would be 10 kN; with half the step the error is about half, or a third."""
+    rigid, soft = model_of(linkage()), model_of(linkage(1e12))
+    q0 = screwgen.assemble(rigid, [1.0, -1.0, 1.2, 0.0])
+    apart = []
+    for step in (1e-3, 5e-4):
+        given = {"q0": q0, "integrator": method}
+        expected = screwgen.simulate(rigid, 0.1, step, **given).wrench
+        runs = [screwgen.simulate(soft, 0.1, step, **given, **way).wrench for way in WAYS.values()]
+        start = np.append(q0, np.zeros(4))
+        runs.append(screwgen.rollout(soft, start, step=step, steps=len(expected) - 1, integrator=method).wrench[0])
+        assert all(found == pytest.approx(runs[0], abs=1e-8) for found in runs[1:])
+        apart.append(np.abs(runs[0] - expected).max() / np.abs(expected).max())
+    assert apart[0] < 1e-4
+    assert apart[1] < order * apart[0]
+
+
+@pytest.mark.parametrize("stiffness", [1e9, 1e12, 1e15])
+def test_a_body_that_hangs_is_held_by_its_weight(stiffness):
+    """Whatever its gap is: at first none, which would be a hinge without a force."""
+    run = screwgen.simulate(model_of(pendulum(stiffness)), 0.02, 1e-3, q0=hanging(np.pi / 2))
+    held, z = run.wrench[:, 2, 3:], 1e-6 * stiffness / 2.0
+    bears = z * z / (1.0 + z / 100.0)
+    assert held[0, 2] == pytest.approx(2.0 * 9.81 * bears / (1.0 + bears), rel=1e-9)
+    assert held == pytest.approx(np.tile([0.0, 0.0, 2.0 * 9.81], (len(held), 1)), abs=0.3 / z)
+
+
+def test_rows_that_a_step_resolves_are_reported_as_they_are():
+    """The difference falls with the fourth power of the step; explicit methods have none."""
+    model, apart = model_of(pendulum(2e3)), []
+    for step, method in ((1e-3, "modal_midpoint"), (5e-4, "modal_midpoint"), (1e-3, "rk4")):
+        run = screwgen.simulate(model, 0.02, step, q0=hanging(0.3, 2e-3), integrator=method)
+        plain = [model.numpy().forward_dynamics(q, v, None, None)[1] for q, v in zip(run.q, run.v, strict=True)]
+        apart.append(np.abs(run.wrench - plain).max())
+    assert apart[0] < 1e-3 * np.abs(plain).max()
+    assert apart[1] < apart[0] / 14
+    assert apart[2] < 1e-11
+
+
+def test_a_mock_up_unit_answers_as_runs_do():
+    unit = Unit("fmu3", "cs", partial(linkage, 1e12))
+    names, q0 = unit.model.wrench_names, screwgen.assemble(model_of(linkage()), [1.0, -1.0, 1.2, 0.0])
+    unit.ready(**dict(zip(unit.states[:4], q0, strict=True)), **{"solver.step": 1e-3})
+    found = [unit.get(names)]
+    for k in range(20):
+        unit.step(k * 1e-3, 1e-3)
+        found.append(unit.get(names))
+    run = screwgen.simulate(unit.model, 0.02, 1e-3, q0=q0, integrator="modal_implicit")
+    assert np.array(found) == pytest.approx(run.wrench.reshape(21, -1), abs=1e-8)
 
 
 def test_at_rest_its_gap_is_the_load_over_the_stiffness():

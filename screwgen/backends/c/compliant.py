@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from ...algorithms.tip_programs import row_terms, row_wrenches
+from ...algorithms.tip_programs import row_terms, row_wrenches, settled_rows
 from ...integrators.traced import stage_slopes
 from ...ir.program import Program
 from ...ir.split import KEPT, split_before
@@ -20,6 +20,10 @@ COMPLIANT = ("compliant",)
 """What they write in the files of every robot, as :class:`..templates.TemplatePlaces` finds it."""
 FILE = "rows.c"
 POINTERS = {"terms": ("c", "state", "work"), "wrenches": ("c", "state", "input", "m_eta", "f_eta", "ahead", "work")}
+POINTERS["settled"] = "c", "state", "input", "work"
+
+LANES = ("terms", "wrenches")
+"""What lanes have too: they report no wrenches."""
 
 OWN = {
     "h": lambda k: "work->dt",
@@ -43,15 +47,16 @@ OF_LANES = {
 
 def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
     """The templates' context: the statements that find the terms at the start of a step and the wrenches on tips, of
-    numbers and of lanes; None without such loops."""
+    numbers and of lanes, and those that runs report under; None without such loops."""
     if not chain.compliant:
         return {"compliant": None}
     made, lanes = {}, {}
-    for name, make in (("terms", row_terms), ("wrenches", row_wrenches)):
+    for name, make in (("terms", row_terms), ("wrenches", row_wrenches), ("settled", settled_rows)):
         program = make(chain, "baked" if baked else "constants")
         place = piece_place(chain, "work->kept", OWN, at)
         made[name] = pieces(program, place, POINTERS[name], fail=singular)
-        lanes[name] = _lanes(chain, program, at)
+        if name in LANES:
+            lanes[name] = _lanes(chain, program, at)
     kept = max(part["kept"] for part in made.values())
     return {"compliant": made | {"kept": kept, "count": 2 * len(chain.compliant), "lanes": lanes}}
 

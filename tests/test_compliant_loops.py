@@ -343,14 +343,35 @@ def test_its_numbers_are_parameters():
     assert model.numpy(other).forward_dynamics(q, v, None, None)[0] == pytest.approx(expected, rel=1e-12)
 
 
-def test_beside_a_rigid_loop_both_hold():
-    """A second linkage that shares the crank, rigid; its row and the soft ones are solved for together."""
-    robot = linkage(1e12)
+def beside_a_rigid_one(stiffness):
+    """A second linkage that shares the crank, rigid."""
+    robot = linkage(stiffness)
     twin = [link | {"name": f"{link['name']}2"} for link in robot["links"][1:]]
     twin[0]["parent"] = "crank"
     robot["links"] += twin
     robot["loops"].append({"between": ["coupler2.tip", "rocker2.tip"], "joint": {"axes": ["y"]}})
+    return robot
+
+
+def test_beside_a_rigid_loop_both_hold():
+    """Its row and the soft ones are solved for together."""
+    robot = beside_a_rigid_one(1e12)
     rigid = robot | {"loops": [{**robot["loops"][0], "joint": {"axes": ["y"]}}, robot["loops"][1]]}
     q0 = screwgen.assemble(model_of(rigid), [1.0, -1.0, 1.2, -1.0, 1.2, 0.0, 0.0])
     ends = [screwgen.simulate(model_of(x), 0.1, 1e-3, q0=q0).q[-1] for x in (robot, rigid)]
     assert ends[0] == pytest.approx(ends[1], abs=1e-5)
+
+
+@pytest.mark.parametrize("method", IMPLICIT)
+def test_derivatives_of_a_step_beside_a_rigid_loop(method):
+    """By differences of the step, whose rigid rows are among those that are solved for."""
+    robot = beside_a_rigid_one(1e5)
+    model, rng = model_of(robot), np.random.default_rng(4)
+    rigid = robot | {"loops": [{**robot["loops"][0], "joint": {"axes": ["y"]}}, robot["loops"][1]]}
+    q, v = screwgen.assemble(model_of(rigid), [1.0, -1.0, 1.2, -1.0, 1.2, 0.0, 0.0]), rng.normal(size=7)
+    compiled, tau = model.compile(derivatives=True), rng.normal(size=model.n_tau)
+    step = lambda x: np.concatenate(compiled.step(x[:7], x[7:14], x[14:], None, 1e-3, method))  # noqa: E731
+    *_, A, B = compiled.step_derivatives(q, v, tau, None, 1e-3, method)
+    at, size = np.concatenate([q, v, tau]), 1e-6
+    differences = np.array([(step(at + e) - step(at - e)) / (2 * size) for e in size * np.eye(len(at))]).T
+    assert np.hstack([A, B]) == pytest.approx(differences, abs=1e-7 * np.abs(differences).max())

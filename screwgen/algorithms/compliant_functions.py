@@ -148,7 +148,8 @@ def _settled(tracer: Tracer, A: Value, x: dict[str, Value]) -> tuple[Value, Valu
     """The same of a row as runs report it: S is small where the step resolves it, and f the present force."""
     firm = x["h"] * (x["c"] + x["h"] * x["k"])
     z = firm * A
-    return tracer.call("sqrt", firm * (z / (1.0 + z / FIRM))), x["now"]
+    cube = z * z * z
+    return tracer.call("sqrt", firm * (cube / (1.0 + cube / FIRM))), x["now"]
 
 
 def _law(tracer: Tracer, A: Value, x: dict[str, Value]) -> tuple[Value, Value]:

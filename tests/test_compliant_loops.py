@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from functools import partial
+
+import casadi as ca
 import numpy as np
 import pytest
 from bad_robot_files import GOOD, refused
 from batch_c import CompiledBatch, stepped
+from fmi_units import Unit
 from helpers import model_of
 
 import screwgen
+from screwgen.backends.numpy.compliant import settled
 from screwgen.integrators.methods import BUILT_IN
 from screwgen.simulation.linearised import Linearised
 from screwgen.spec.load import dump
+from screwgen.spec.parameters import parameters
 
 SPRING = 0.25
 """J: the energy of the hinge's spring at first."""
@@ -120,6 +126,71 @@ def test_without_bound_of_stiffness_it_is_the_rigid_loop(form):
     assert apart[1] < 0.7 * apart[0]
 
 
+WAYS = {"c": {}, "numpy": {"backend": "numpy"}, "dae": {"form": "dae"}}
+"""How a run may be made."""
+
+
+@pytest.mark.parametrize(("method", "order"), [("modal_midpoint", 0.45), ("modal_implicit", 0.6)])
+def test_the_force_that_runs_report_is_that_of_the_rigid_loop(method, order):
+    """At 1e12 N/m gaps that are 1e-8 m wrong would be 10 kN; with half the step the error is about half, or a third."""
+    rigid, soft = model_of(linkage()), model_of(linkage(1e12))
+    q0 = screwgen.assemble(rigid, [1.0, -1.0, 1.2, 0.0])
+    apart = []
+    for step in (1e-3, 5e-4):
+        given = {"q0": q0, "integrator": method}
+        expected = screwgen.simulate(rigid, 0.1, step, **given).wrench
+        runs = [screwgen.simulate(soft, 0.1, step, **given, **way).wrench for way in WAYS.values()]
+        start = np.append(q0, np.zeros(4))
+        runs.append(screwgen.rollout(soft, start, step=step, steps=len(expected) - 1, integrator=method).wrench[0])
+        assert all(found == pytest.approx(runs[0], abs=1e-8) for found in runs[1:])
+        apart.append(np.abs(runs[0] - expected).max() / np.abs(expected).max())
+    assert apart[0] < 1e-4
+    assert apart[1] < order * apart[0]
+
+
+@pytest.mark.parametrize("stiffness", [1e9, 1e12, 1e15])
+def test_a_body_that_hangs_is_held_by_its_weight(stiffness):
+    """Whatever its gap is: at first none, which would be a hinge without a force."""
+    run = screwgen.simulate(model_of(pendulum(stiffness)), 0.02, 1e-3, q0=hanging(np.pi / 2))
+    held, z = run.wrench[:, 2, 3:], 1e-6 * stiffness / 2.0
+    bears = z**4 / (1.0 + z**3 / 100.0)
+    assert held[0, 2] == pytest.approx(2.0 * 9.81 * bears / (1.0 + bears), rel=1e-9)
+    assert held == pytest.approx(np.tile([0.0, 0.0, 2.0 * 9.81], (len(held), 1)), abs=0.3 / z)
+
+
+def test_rows_that_a_step_resolves_are_reported_as_they_are():
+    """The difference falls with the eighth power of the step; explicit methods have none."""
+    model, apart = model_of(pendulum(1e4)), []
+    for step, method in ((1e-3, "modal_midpoint"), (5e-4, "modal_midpoint"), (1e-3, "rk4")):
+        run = screwgen.simulate(model, 0.01, step, q0=hanging(0.3, 4e-4), integrator=method)
+        plain = [model.numpy().forward_dynamics(q, v, None, None)[1] for q, v in zip(run.q, run.v, strict=True)]
+        apart.append(np.abs(run.wrench - plain).max())
+    assert apart[0] < 1e-3 * np.abs(plain).max()
+    assert apart[1] < apart[0] / 100
+    assert apart[2] < 1e-11
+
+
+def test_what_runs_report_is_known_of_a_state():
+    model, h = model_of(linkage(3e7, 200.0)), 1e-3
+    q0 = screwgen.assemble(model_of(linkage()), [1.0, -1.0, 1.2, 0.0])
+    run, numeric = screwgen.simulate(model, 0.02, h, q0=q0), model.numpy()
+    for q, v, wrench in zip(run.q, run.v, run.wrench, strict=True):
+        w_ext = settled(numeric, q, v, None, None, h)
+        assert numeric.forward_dynamics(q, v, None, w_ext)[1] == pytest.approx(wrench, abs=1e-9)
+
+
+def test_a_mock_up_unit_answers_as_runs_do():
+    unit = Unit("fmu3", "cs", partial(linkage, 1e12))
+    names, q0 = unit.model.wrench_names, screwgen.assemble(model_of(linkage()), [1.0, -1.0, 1.2, 0.0])
+    unit.ready(**dict(zip(unit.states[:4], q0, strict=True)), **{"solver.step": 1e-3})
+    found = [unit.get(names)]
+    for k in range(20):
+        unit.step(k * 1e-3, 1e-3)
+        found.append(unit.get(names))
+    run = screwgen.simulate(unit.model, 0.02, 1e-3, q0=q0, integrator="modal_implicit")
+    assert np.array(found) == pytest.approx(run.wrench.reshape(21, -1), abs=1e-8)
+
+
 def test_at_rest_its_gap_is_the_load_over_the_stiffness():
     model = model_of(pendulum(1e4))
     rest = screwgen.equilibrium(model, hanging(np.pi / 2))
@@ -174,11 +245,24 @@ def test_the_step_map_of_an_unloaded_joint_is_that_of_the_step(method):
     assert found == pytest.approx(differences, rel=1e-5, abs=1e-5 * np.abs(differences).max())
 
 
-def test_derivatives_of_implicit_steps_are_refused_in_c():
-    compiled = model_of(pendulum(1e4)).compile(derivatives=True)
-    with pytest.raises(screwgen.UsageError, match="it takes a loop whose joint gives way at its end; use CasADi's"):
-        compiled.step_derivatives(hanging(0.1), np.zeros(3), None, None, 1e-3)
-    assert compiled.step_derivatives(hanging(0.1), np.zeros(3), None, None, 1e-4, "rk4")[2].shape == (6, 6)
+@pytest.mark.parametrize("stiffness", [1e4, 1e12])
+def test_derivatives_of_a_step_in_c_are_those_of_casadi_and_differences_of_the_step(stiffness):
+    """Two derivatives by rounding differ the more the stiffer a row is, at 1e12 N/m by 2e-9 of the largest."""
+    model, h, x = model_of(linkage(stiffness, 20.0)), 1e-3, ca.MX.sym("x", 11)
+    rng = np.random.default_rng(1)
+    q = screwgen.assemble(model_of(linkage()), [1.0, -1.0, 1.2, 0.0]) + 1.0 / stiffness
+    v, tau, w_ext = rng.normal(size=4), rng.normal(size=3), rng.normal(size=(3, 6))
+    compiled, at = model.compile(derivatives=True), np.concatenate([q, v, tau])
+    for method in IMPLICIT:
+        step = partial(lambda m, x: np.concatenate(compiled.step(x[:4], x[4:8], x[8:], w_ext, h, m)), method)
+        *new, A, B = compiled.step_derivatives(q, v, tau, w_ext, h, method)
+        assert np.concatenate(new) == pytest.approx(step(at), rel=1e-14)
+        after = model.casadi()[f"step_{method}"](x[:4], x[4:8], x[8:], w_ext.T, model.parameter_values, h)
+        by_casadi = np.array(ca.Function("slopes", [x], [ca.jacobian(ca.vertcat(*after), x)])(at))
+        slopes = np.hstack([A, B])
+        assert np.abs(slopes - by_casadi).max() < (1e-11 if stiffness < 1e12 else 1e-8) * np.abs(slopes).max()
+        differences = np.array([(step(at + e) - step(at - e)) / 2e-6 for e in 1e-6 * np.eye(11)]).T
+        assert np.abs(slopes - differences).max() < 1e-5 * np.abs(slopes).max()
 
 
 # ------------------------------------------------------------------------------------------ files
@@ -193,7 +277,10 @@ LOOP = '[[loops]]\nbetween = ["upper.tip", "fore.tip"]\njoint = { axes = ["y"], 
         ("stiffness = 1e4", "stiffness = -1.0", "loops[0].joint.stiffness", "is -1.0; it must be > 0"),
         ("stiffness = 1e4", "stiffness = 0.0", "loops[0].joint.stiffness", "is 0.0; it must be > 0"),
         ("damping = 2.0", "damping = -2.0", "loops[0].joint.damping", "is -2.0; it must be >= 0"),
-        ("stiffness = 1e4", "stiffness = [1e4]", "loops[0].joint.stiffness", "must be a number"),
+        ("stiffness = 1e4", 'stiffness = "soft"', "loops[0].joint.stiffness", "must be a number"),
+        ("stiffness = 1e4", "stiffness = [1e4]", "loops[0].joint.stiffness", "length 1; it must be an array of 2 num"),
+        ("stiffness = 1e4", "stiffness = [1e4, 0.0]", "loops[0].joint.stiffness[1]", "is 0.0; it must be > 0"),
+        ("damping = 2.0", "damping = [2.0, -1.0]", "loops[0].joint.damping[1]", "is -1.0; it must be >= 0"),
         ("stiffness = 1e4", "stiffness = 1e30", "loops[0].joint.stiffness", "it must be from 1e-09 to 1e+18"),
         ("joint =", "stabilisation = 5.0\njoint =", "loops[0].stabilisation", "whose joint gives way"),
         ("damping = 2.0", "drives = [{}]", "loops[0].joint.drives", "nothing drives a loop's joint"),
@@ -201,6 +288,16 @@ LOOP = '[[loops]]\nbetween = ["upper.tip", "fore.tip"]\njoint = { axes = ["y"], 
 )
 def test_wrong_keys_are_refused_in_one_line(tmp_path, old, new, where, fragment):
     refused(tmp_path, GOOD + LOOP.replace(old, new, 1), where, fragment)
+
+
+@pytest.mark.parametrize(
+    ("axes", "fragment"), [(["x", "y", "z"], "turns"), ([{"slide": x} for x in "xyz"], "motion along an axis")]
+)
+def test_two_numbers_of_a_joint_that_has_no_use_for_one_are_refused(axes, fragment):
+    robot = pendulum()
+    robot["loops"][0]["joint"] = {"axes": axes, "stiffness": [1e4, 1e3]}
+    with pytest.raises(screwgen.ScrewgenError, match=f"blocks no {fragment}; state one number"):
+        screwgen.Robot(**robot)
 
 
 def test_a_link_has_not_the_name_of_such_a_loop():
@@ -216,25 +313,75 @@ def test_a_file_that_is_written_and_read_is_the_same(tmp_path):
     (tmp_path / "linkage.toml").write_text(dump(robot), encoding="utf-8")
     assert screwgen.load(tmp_path / "linkage.toml") == robot
     assert "stiffness = 10000.0" in dump(robot)
+    two = screwgen.Robot(**linkage([1e4, 30.0], [2.0, 0.1]))
+    (tmp_path / "linkage.toml").write_text(dump(two), encoding="utf-8")
+    assert screwgen.load(tmp_path / "linkage.toml") == two
+    assert "stiffness = [10000.0, 30.0]" in dump(two)
+
+
+def test_directions_have_numbers_of_their_own():
+    """A weld, turned by 0.2 rad and pulled away: force and torque by closed forms; the energy that is their work."""
+    robot = pendulum([1e4, 30.0], [5.0, 0.2])
+    robot["gravity"], robot["loops"][0]["joint"]["axes"] = [0.0, 0.0, 0.0], []
+    model = model_of(robot)
+    numeric, q, v = model.numpy(), hanging(0.2, 3e-3), np.array([0.4, -0.1, 0.0])
+    assert sum(numeric.energy(q, 0 * v)) == pytest.approx(0.5 * 1e4 * 9e-6 + 0.5 * 30.0 * np.sin(0.2) ** 2)
+    pull = np.array([-1e4 * 3e-3 - 5.0 * 0.4, 0.0, 5.0 * 0.1])
+    moment = np.cross(-ARM * np.array([np.cos(0.2), 0.0, -np.sin(0.2)]), pull)[1] - 30.0 * np.sin(0.2) * np.cos(0.2)
+    found = numeric.forward_dynamics(q, v, None, None)[0]
+    assert found == pytest.approx([pull[0] / 2.0, pull[2] / 2.0, moment / 0.03], rel=1e-9)
+
+
+def test_one_number_is_that_of_both():
+    models = model_of(linkage(1e4, 2.0)), model_of(linkage([1e4, 1e4], [2.0, 2.0]))
+    q, v = np.array([1.1, -0.8, 1.3, 0.01]), np.array([0.3, -0.2, 0.5, 0.1])
+    one, two = (model.numpy().forward_dynamics(q, v, None, None)[0] for model in models)
+    assert one == pytest.approx(two, rel=1e-14)
+    robot = linkage(1e4, 2.0)
+    robot["loops"][0]["joint"]["axes"] = ["x", "y", "z"]
+    assert model_of(robot).parameter_names[-2:] == ["loop_0.stiffness[0]", "loop_0.damping[0]"]
 
 
 def test_its_numbers_are_parameters():
     model = model_of(linkage(1e4, 2.0))
-    assert model.parameter_names[-2:] == ["loop_0.stiffness", "loop_0.damping"]
-    other = model.chain.parameters.vector({"loop_0.stiffness": 3e4, "loop_0.damping": 7.0})
+    assert model.parameter_names[-4:] == [f"loop_0.{name}[{k}]" for name in ("stiffness", "damping") for k in (0, 1)]
+    assert [p.unit for p in parameters(model.robot)][-4:] == ["N/m", "N·m/rad", "N·s/m", "N·m·s/rad"]
+    new = {"loop_0.stiffness[0]": 3e4, "loop_0.stiffness[1]": 2e2, "loop_0.damping[0]": 7.0, "loop_0.damping[1]": 0.3}
+    other = model.chain.parameters.vector(new)
     q, v = np.array([1.1, -0.8, 1.3, 0.01]), np.array([0.3, -0.2, 0.5, 0.1])
-    expected = model_of(linkage(3e4, 7.0)).numpy().forward_dynamics(q, v, None, None)[0]
+    expected = model_of(linkage([3e4, 2e2], [7.0, 0.3])).numpy().forward_dynamics(q, v, None, None)[0]
     assert model.numpy(other).forward_dynamics(q, v, None, None)[0] == pytest.approx(expected, rel=1e-12)
 
 
-def test_beside_a_rigid_loop_both_hold():
-    """A second linkage that shares the crank, rigid; its row and the soft ones are solved for together."""
-    robot = linkage(1e12)
+def beside_a_rigid_one(stiffness):
+    """A second linkage that shares the crank, rigid."""
+    robot = linkage(stiffness)
     twin = [link | {"name": f"{link['name']}2"} for link in robot["links"][1:]]
     twin[0]["parent"] = "crank"
     robot["links"] += twin
     robot["loops"].append({"between": ["coupler2.tip", "rocker2.tip"], "joint": {"axes": ["y"]}})
+    return robot
+
+
+def test_beside_a_rigid_loop_both_hold():
+    """Its row and the soft ones are solved for together."""
+    robot = beside_a_rigid_one(1e12)
     rigid = robot | {"loops": [{**robot["loops"][0], "joint": {"axes": ["y"]}}, robot["loops"][1]]}
     q0 = screwgen.assemble(model_of(rigid), [1.0, -1.0, 1.2, -1.0, 1.2, 0.0, 0.0])
     ends = [screwgen.simulate(model_of(x), 0.1, 1e-3, q0=q0).q[-1] for x in (robot, rigid)]
     assert ends[0] == pytest.approx(ends[1], abs=1e-5)
+
+
+@pytest.mark.parametrize("method", IMPLICIT)
+def test_derivatives_of_a_step_beside_a_rigid_loop(method):
+    """By differences of the step, whose rigid rows are among those that are solved for."""
+    robot = beside_a_rigid_one(1e5)
+    model, rng = model_of(robot), np.random.default_rng(4)
+    rigid = robot | {"loops": [{**robot["loops"][0], "joint": {"axes": ["y"]}}, robot["loops"][1]]}
+    q, v = screwgen.assemble(model_of(rigid), [1.0, -1.0, 1.2, -1.0, 1.2, 0.0, 0.0]), rng.normal(size=7)
+    compiled, tau = model.compile(derivatives=True), rng.normal(size=model.n_tau)
+    step = lambda x: np.concatenate(compiled.step(x[:7], x[7:14], x[14:], None, 1e-3, method))  # noqa: E731
+    *_, A, B = compiled.step_derivatives(q, v, tau, None, 1e-3, method)
+    at, size = np.concatenate([q, v, tau]), 1e-6
+    differences = np.array([(step(at + e) - step(at - e)) / (2 * size) for e in size * np.eye(len(at))]).T
+    assert np.hstack([A, B]) == pytest.approx(differences, abs=1e-7 * np.abs(differences).max())

@@ -35,9 +35,13 @@ def rubbing(coulomb: float, **more) -> dict:
 
 
 FALLING = rubbing(2.0, viscous=0.1, stribeck={"static": 3.0, "velocity": 0.02})
+WALL = {"name": "wall", "parent": "world", "joint": {"axes": [], "mount": {"xyz": [1.0, 0.02, 0.0]}}}
+WALL["bodies"] = [{"at": "base", "mass": 0.0}]
+PIVOT = {"between": ["wall.tip", "a.tip"], "joint": {"axes": ["x", "y", "z"], "stiffness": 400.0, "damping": 8.0}}
 DRIVES = ([FALLING, FALLING], [rubbing(0.7)])
 ROBOTS = {
     "arm": ARM,
+    "held": ARM | {"links": [WALL, ARM["links"][0] | {"parent": "world"}, ARM["links"][1]], "loops": [PIVOT]},
     "bristles": ARM
     | {"links": [x | {"joint": x["joint"] | {"drives": y}} for x, y in zip(ARM["links"], DRIVES, strict=True)]},
 }

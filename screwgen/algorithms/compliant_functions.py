@@ -28,8 +28,8 @@ import numpy as np
 
 from ..errors import SingularError
 from ..ir.program import Array, Program, Tracer, Value
+from ..joints.compliant import of_row
 from ..topology.chain import Chain
-from ..topology.forces import CompliantRow
 from . import loops
 from . import matrices as mx
 from .schedule import Apply
@@ -53,8 +53,21 @@ class CompliantFunctions:
         rows = self._loop_state(q, v, [one.closing for one in self.chain.compliant]).rows
         return [x.gap for x in rows] + [x.rate for x in rows]
 
+    def settled(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence, h: Value) -> list[Value]:
+        """``w_ext`` with what rows bear besides that settle within ``h``, as a run of such steps reports them."""
+        return self.with_rows(q, v, tau, w_ext, self.row_terms(q, v), h, 0.0, settled=True)
+
     def with_rows(
-        self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence, terms: Sequence, h: Value, ahead: Value
+        self,
+        q: Sequence,
+        v: Sequence,
+        tau: Sequence,
+        w_ext: Sequence,
+        terms: Sequence,
+        h: Value,
+        ahead: Value,
+        *,
+        settled: bool = False,
     ) -> list[Value]:
         """``w_ext`` with what the rows bear beside the forces that act at this state.
 
@@ -78,7 +91,7 @@ class CompliantFunctions:
             "h": [h],
             "ahead": [ahead],
         }
-        program = solver(len(closing), len(soft), self.chain.closing.overconstrained)
+        program = solver(len(closing), len(soft), self.chain.closing.overconstrained, settled)
         try:
             found = self.apply(soft[-1].closing.second, 0, program, inputs)["nu"]
         except SingularError:
@@ -88,12 +101,9 @@ class CompliantFunctions:
 
     def stiffness_and_damping(self) -> list[tuple[Value, Value]]:
         """Stiffness and damping of every row."""
-        return [_pair(one, self.world[3:][one.force.numbers]) for one in self.chain.compliant]
-
-
-def _pair(row: CompliantRow, numbers: Sequence) -> tuple[Value, Value]:
-    own = dict(zip(row.force.shape.stated, numbers, strict=True))
-    return own["stiffness"], own.get("damping", 0.0)
+        numbers = self.world[3:]
+        laws = [(one.closing.row, one.force.shape.keys(numbers[one.force.numbers])) for one in self.chain.compliant]
+        return [of_row(row, keys) for row, keys in laws]
 
 
 OF_ALL = ("h", "ahead")
@@ -101,7 +111,7 @@ OF_ALL = ("h", "ahead")
 
 
 @cache
-def solver(rigid: int, soft: int, shared: bool) -> Program:
+def solver(rigid: int, soft: int, shared: bool, settled: bool = False) -> Program:
     """``(A, gddot, now, start, gamma, k, c, h, ahead) -> (nu)``: what the soft rows, the last, bear besides.
 
     ``A`` (rows, rows), its upper triangle row by row: the accelerations of the gaps by unit forces of the rows;
@@ -117,8 +127,9 @@ def solver(rigid: int, soft: int, shared: bool) -> Program:
     x = {name: mx.array(tracer.input(name, size), (size,)) for name, size in sizes.items()}
     A = mx.unpack(x["A"], count)
     x |= dict(zip(("gap", "rate"), np.split(x["start"], 2), strict=True)) | {n: np.repeat(x[n], soft) for n in OF_ALL}
-    own = ({name: x[name][i] for name in ("k", "c", "gamma", "gap", "rate", *OF_ALL)} for i in range(soft))
-    laws = [_law(tracer, A[rigid + i, rigid + i], row) for i, row in enumerate(own)]
+    own = ({name: x[name][i] for name in ("k", "c", "now", "gamma", "gap", "rate", *OF_ALL)} for i in range(soft))
+    law = _settled if settled else _law
+    laws = [law(tracer, A[rigid + i, rigid + i], row) for i, row in enumerate(own)]
     root, less = [r for r, _ in laws], mx.array([now - f for now, (_, f) in zip(x["now"], laws, strict=True)], (soft,))
     scale = mx.array([*[1.0] * rigid, *root], (count,))
     b = -scale * (x["gddot"] + mx.multiply(A[:, rigid:], less))
@@ -127,6 +138,18 @@ def solver(rigid: int, soft: int, shared: bool) -> Program:
     found = _shared(firm, b, rigid) if shared else mx.solve(mx.factorise(firm, tracer, _least(tracer, A, rigid)), b)
     nu = less + mx.array(root, (soft,)) * found[rigid:]
     return tracer.program("compliant_rows", sizes, {"nu": list(nu)})
+
+
+FIRM = 100.0
+"""So many times as much as the step itself a report attends to a row that settles within it, over its gap and rate."""
+
+
+def _settled(tracer: Tracer, A: Value, x: dict[str, Value]) -> tuple[Value, Value]:
+    """The same of a row as runs report it: S is small where the step resolves it, and f the present force."""
+    firm = x["h"] * (x["c"] + x["h"] * x["k"])
+    z = firm * A
+    cube = z * z * z
+    return tracer.call("sqrt", firm * (cube / (1.0 + cube / FIRM))), x["now"]
 
 
 def _law(tracer: Tracer, A: Value, x: dict[str, Value]) -> tuple[Value, Value]:

@@ -60,6 +60,15 @@ def row_wrenches(chain: Chain, constants: str = "parameters", dae: bool = False)
     return fuse(chain, "row_wrenches", given, body, constants, DaeFunctions if dae else Functions)
 
 
+def settled_rows(chain: Chain, constants: str = "parameters") -> Program:
+    """``(q, v, tau, w_ext, h) -> (acted)``: what a run of steps of ``h`` reports under, :meth:`.settled`."""
+
+    def body(f: Functions, x: Mapping[str, Sequence]) -> Outputs:
+        return {"acted": f.settled(x["q"], x["v"], x["tau"], x["w_ext"], x["h"][0])}
+
+    return fuse(chain, "settled_rows", inputs(chain, "q v tau w_ext") | {"h": 1}, body, constants)
+
+
 COMPLIANT = (row_terms, row_wrenches)
 """What implicit stages run before their dynamics where joints of loops give way: at the start, and at their states."""
 

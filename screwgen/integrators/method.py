@@ -181,6 +181,10 @@ class Method:
         """Whether all elastic forces are implicit."""
         return all(stage.implicit for stage in self.stages)
 
+    def settling(self, h: float) -> float:
+        """The step ``h`` if stiff rows of loops settle within it, as it takes all elastic forces at its end; else 0."""
+        return h if self.implicit else 0.0
+
     def step(self, a: Accelerations, q: Any, v: Any, h: Any, space: Space = FLAT) -> Motion:
         """Coordinates and rates `h` seconds after `q, v`: NumPy arrays, CasADi's symbols, all that has +, − and ×.
 

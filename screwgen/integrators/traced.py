@@ -8,13 +8,15 @@ from typing import Any
 
 import numpy as np
 
+from ..algorithms import matrices as mx
 from ..algorithms.axis_laws import of_robot
 from ..algorithms.columns import columns
 from ..algorithms.functions import EVERYTHING, HOLD, Functions
-from ..algorithms.fused import Outputs, inputs
+from ..algorithms.fused import Outputs, fuse, inputs
 from ..algorithms.law_programs import stage, state_rate
 from ..algorithms.parameter_slopes import Differentiable
 from ..algorithms.schedule import COLUMNS
+from ..ir.derivative import gradients
 from ..ir.program import Array, Program, Value
 from ..topology.chain import Chain
 from .method import Method, Motion
@@ -32,7 +34,12 @@ class TracedAccelerations:
         return self.implicit(q, v, 0.0)
 
     def implicit(self, q: Array, v: Array, h: Any, there: Motion | None = None) -> Array:
-        chain, (q_there, v_there) = self.f.chain, there or (q, v)
+        ahead = there is not None and there[0] is not q
+        return self.at_stage((q, v), h, there or (q, v), float(ahead))
+
+    def at_stage(self, start: Motion, h: Any, there: Motion, ahead: Value) -> Array:
+        """The same; ``ahead``: 1 at a stage ahead of the start, else 0."""
+        chain, (q, v), (q_there, v_there) = self.f.chain, start, there
         x, rates = q[list(chain.given_places)], slice(chain.nv - chain.n_given, chain.nv)
         rate, later = v[rates], v_there[rates]
         M, K, D = (self.properties[name] for name in COLUMNS["eta"])
@@ -53,13 +60,12 @@ class TracedAccelerations:
         under.given = list(inertia), list(force)
         (tau, w_ext), moved = self.held, (list(q_there), list(v_there))
         if chain.compliant and not isinstance(h, float):
-            ahead = float(there is not None and there[0] is not q)
             w_ext = under.with_rows(*moved, tau, w_ext, under.row_terms(list(q), list(v)), h, ahead)
         vdot = under.forward_dynamics(*moved, tau, w_ext)[0]
         rate_of = lambda law, i, given: self.f.apply(0, -1, state_rate(law), given | {"a": [vdot[i]]})  # noqa: E731
         order = sorted(remembering, key=lambda one: one[0])
-        start = list(v[chain.force_states])
-        of_forces = self.f.under_inputs(self.held[0]).force_rates(list(q_there), list(v_there), start, h)
+        states = list(v[chain.force_states])
+        of_forces = self.f.under_inputs(self.held[0]).force_rates(list(q_there), list(v_there), states, h)
         return _array([*vdot, *(rate_of(*one)["rate"][0] for _, *one in order), *of_forces])
 
 
@@ -79,6 +85,30 @@ def step(chain: Chain, method: Method) -> Differentiable:
     given = inputs(chain, "q v tau w_ext") | {"dt": 1}
     shapes = {"q_next": (chain.nq,), "v_next": (chain.nvz,)}
     return Differentiable(f"step_{method}", given, shapes, body, (*EVERYTHING, HOLD))
+
+
+def stage_slopes(chain: Chain, constants: str = "constants") -> Program:
+    """``(q, v, tau, w_ext, q_start, v_start, h, ahead, weights) -> (vdot, by_q, by_v, by_tau, by_q_start, …)``.
+
+    The accelerations of an implicit stage at ``q, v``, which takes what is implicit ``h`` after the start, and the
+    derivatives of their sum with ``weights`` (nvz,); those along coordinates are (nv,).  ``ahead``: as of
+    :mod:`..algorithms.compliant_functions`.
+    """
+
+    def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> Outputs:
+        held = TracedAccelerations(f, x["tau"], x["w_ext"])
+        start, there = (_array(x["q_start"]), _array(x["v_start"])), (_array(x["q"]), _array(x["v"]))
+        vdot = list(held.at_stage(start, x["h"][0], there, x["ahead"][0]))
+        names = ("q", "v", "tau", "q_start", "v_start")
+        found = gradients(vdot, x["weights"], [value for name in names for value in x[name]])
+        slopes = dict(zip(names, np.split(_array(found), np.cumsum([len(x[n]) for n in names])[:-1]), strict=True))
+        for name in ("q", "q_start"):
+            ways = [f.coordinate_rates(x[name], [float(i == k) for i in range(chain.nv)]) for k in range(chain.nv)]
+            slopes[name] = _array([mx.dot(mx.array(way), slopes[name]) for way in ways])
+        return {"vdot": vdot, **{f"by_{name}": list(values) for name, values in slopes.items()}}
+
+    given = inputs(chain, "q v tau w_ext") | {"q_start": chain.nq, "v_start": chain.nvz, "h": 1, "ahead": 1}
+    return fuse(chain, "stage_slopes", given | {"weights": chain.nvz}, body, constants)
 
 
 def _array(values: Sequence[Value]) -> Array:

@@ -257,11 +257,11 @@ class InteractionClass:
 
     def wrench(self, t: Any, x: Relative, numbers: Sequence[Value]) -> WrenchOnSecond:
         """The wrench of the numbers that are stated, entry by entry, and of the inputs and states behind them."""
-        return self.kind.wrench(t, x, **self._keys(numbers))
+        return self.kind.wrench(t, x, **self.keys(numbers))
 
     def energy(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Value:
         """The potential, J."""
-        return self.kind.energy(t, x, **self._keys(numbers))
+        return self.kind.energy(t, x, **self.keys(numbers))
 
     @property
     def has(self) -> tuple[str, ...]:
@@ -295,20 +295,21 @@ class InteractionClass:
 
     def outputs(self, t: Any, x: Relative, numbers: Sequence[Value]) -> list[Value]:
         """What runs report, in the order of its kind's ``QUANTITIES``."""
-        found = self.kind.outputs(t, x, **self._keys(numbers))
+        found = self.kind.outputs(t, x, **self.keys(numbers))
         return [found[name] for name in self.kind.QUANTITIES]
 
     def power(self, t: Any, x: Relative, numbers: Sequence[Value]) -> list[Value]:
         """The power of its inputs, in their order."""
-        found = self.kind.power(t, x, **self._keys(numbers))
+        found = self.kind.power(t, x, **self.keys(numbers))
         return [found[name] for name in self.inputs]
 
     def rates(self, t: Any, x: Relative, numbers: Sequence[Value]) -> list[StateRate]:
         """How its states change, in their order."""
-        found = self.kind.rates(t, x, **self._keys(numbers)) if self.states else {}
+        found = self.kind.rates(t, x, **self.keys(numbers)) if self.states else {}
         return [found[name] for name in self.states]
 
-    def _keys(self, numbers: Sequence[Value]) -> dict[str, Any]:
+    def keys(self, numbers: Sequence[Value]) -> dict[str, Any]:
+        """What its laws take by name, of the numbers that are stated, and of the inputs and states behind them."""
         given: dict[str, Any] = {}
         rest = iter(numbers)
         for name, one in self.kind.table().items():

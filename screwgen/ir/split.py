@@ -20,12 +20,33 @@ def split(program: Program, pieces: int) -> tuple[list[Program], int]:
     """
     if pieces < 2:
         return [program], 0
-    bounds = [_before_results(program, len(program.nodes) * k // pieces) for k in range(pieces + 1)]
+    return _cut(program, [len(program.nodes) * k // pieces for k in range(pieces + 1)], 0)
+
+
+def split_before(program: Program, name: str, longest: int) -> tuple[list[Program], list[Program], int]:
+    """The program as pieces that read nothing of the input ``name``, the others, and the number of values passed.
+
+    The others run again for other values of that input. They have all outputs that are no operations.  A piece has
+    at most about ``longest`` operations.
+    """
+    of_input = lambda a: isinstance(a, Node) and a.op == "input" and a.args[0] == name  # noqa: E731
+    count = len(program.nodes)
+    reads = (k for k, n in enumerate(program.nodes) if n.op != "input" and any(map(of_input, n.args)))
+    place = next(reads, count)
+    first, more = (max(1, -(-size // longest)) for size in (place, count - place))
+    bounds = [place * k // first for k in range(first)] + [place + (count - place) * k // more for k in range(more + 1)]
+    parts, kept = _cut(program, bounds, first + more - 1)
+    return parts[:first], parts[first:], kept
+
+
+def _cut(program: Program, places: Sequence[int], free: int) -> tuple[list[Program], int]:
+    """The pieces between places among the nodes; that of number ``free`` has the outputs that are no operations."""
+    bounds = [_before_results(program, place) for place in places]
     parts = [program.nodes[a:b] for a, b in pairwise(bounds)]
     home = {node.id: k for k, part in enumerate(parts) for node in part}
     crossing = {a.id for n in program.nodes for a in _computed(n) if home[a.id] != home[n.id]}
     slots = {number: k for k, number in enumerate(sorted(crossing))}
-    return [_Piece(program, k, home, slots).program(part) for k, part in enumerate(parts)], len(slots)
+    return [_Piece(program, k, home, slots, k == free).program(part) for k, part in enumerate(parts)], len(slots)
 
 
 def _before_results(program: Program, place: int) -> int:
@@ -48,8 +69,8 @@ def _free(node: Node) -> bool:
 class _Piece:
     """The nodes of one piece, with inputs in place of what earlier ones have computed."""
 
-    def __init__(self, program: Program, number: int, home: dict[int, int], slots: dict[int, int]):
-        self.whole, self.number, self.home, self.slots = program, number, home, slots
+    def __init__(self, program: Program, number: int, home: dict[int, int], slots: dict[int, int], free: bool):
+        self.whole, self.number, self.home, self.slots, self.free = program, number, home, slots, free
         self.tracer = Tracer()
         self.own: dict[int, Node] = {}
 
@@ -94,7 +115,7 @@ class _Piece:
     def _output(self, value: Value) -> Value | None:
         """An output of this piece; None where it is another's."""
         if not isinstance(value, Node):
-            return value if self.number == 0 else None
+            return value if self.free else None
         if _free(value):
-            return self._operand(value) if self.number == 0 else None
+            return self._operand(value) if self.free else None
         return self.own[value.id] if self._here(value.id) else None

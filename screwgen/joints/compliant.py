@@ -6,7 +6,7 @@ With the gap g of a row (:mod:`.constraints`), m or the difference of two cosine
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,23 +20,35 @@ ROWS = "rows"
 """The key of the rows among what its programs are made from."""
 
 
-@dataclass(frozen=True)
-class CompliantJoint(Interaction):
-    """The joint of a loop that gives way: in its ``rows`` springs and dampers."""
+ALONG, ABOUT = "along blocked axes", "about blocked axes"
+UNITS = {ALONG: ("N/m", "N·s/m"), ABOUT: ("N·m/rad", "N·m·s/rad")}
+"""The units of stiffness and damping of the directions that have numbers of their own."""
 
-    KIND = "joint"
-    WORDS = "joints that give way"
 
-    stiffness: float = number(
-        "N/m", "stiffness along blocked axes, about these in N·m per rad", "k_g", sign="positive", least=1e-9, most=1e18
-    )
-    damping: float | None = number(
-        *("N·s/m", "damping along blocked axes, about these in N·m·s per rad", "c_g"),
+def _numbers(*groups: str) -> tuple[Any, Any]:
+    """The fields of stiffness and damping of joints that block motions of these groups, an entry for each."""
+    of_springs, of_dampers = (", ".join(UNITS[name][k] for name in groups) for k in (0, 1))
+    damping = number(
+        *(of_dampers, "damping", r"\mathbf{c}_g"),
         default=None,
         sign="non-negative",
         least=1e-12,
         most=1e18,
+        entries=groups,
     )
+    stiffness = number(of_springs, "stiffness", r"\mathbf{k}_g", sign="positive", least=1e-9, most=1e18, entries=groups)
+    return stiffness, damping
+
+
+@dataclass(frozen=True)
+class CompliantJoint(Interaction):
+    """The joint of a loop that gives way: in its ``rows`` springs and dampers, along axes and about them."""
+
+    KIND = "joint"
+    WORDS = "joints that give way"
+
+    stiffness: tuple[float, ...] = _numbers(ALONG, ABOUT)[0]
+    damping: tuple[float, ...] | None = _numbers(ALONG, ABOUT)[1]
     rows: tuple[BlockedMotion, ...] = ()
 
     @property
@@ -49,7 +61,8 @@ class CompliantJoint(Interaction):
         for k, row in enumerate(keys["rows"]):
             gap, way = t.named(f"gap_{k}", _gap(row, x)), _way(row, x)
             rate = t.named(f"gap_rate_{k}", dot(way, x.v if isinstance(row, Distance) else x.omega))
-            size = t.named(f"row_force_{k}", -(keys["stiffness"] * gap + keys["damping"] * rate))
+            stiffness, damping = of_row(row, keys)
+            size = t.named(f"row_force_{k}", -(stiffness * gap + damping * rate))
             along = force if isinstance(row, Distance) else torque
             along[:] = [a + n * size for a, n in zip(along, way, strict=True)]
         return WrenchOnSecond(torque, force)
@@ -57,12 +70,50 @@ class CompliantJoint(Interaction):
     @staticmethod
     def energy(t: Any, x: Relative, **keys: Any) -> Value:
         gaps = [t.named(f"gap_{k}", _gap(row, x)) for k, row in enumerate(keys["rows"])]
-        squares = [gap * gap for gap in gaps]
-        return 0.5 * keys["stiffness"] * sum(squares[1:], squares[0])
+        stored = [of_row(row, keys)[0] * (gap * gap) for row, gap in zip(keys["rows"], gaps, strict=True)]
+        return 0.5 * sum(stored[1:], stored[0])
 
     @staticmethod
     def drawn(has: Collection[str]) -> str:
         return "none"
+
+
+@dataclass(frozen=True)
+class CompliantAlong(CompliantJoint):
+    """One that blocks no turns."""
+
+    stiffness: tuple[float, ...] = _numbers(ALONG)[0]
+    damping: tuple[float, ...] | None = _numbers(ALONG)[1]
+
+
+@dataclass(frozen=True)
+class CompliantAbout(CompliantJoint):
+    """One that blocks turns alone."""
+
+    stiffness: tuple[float, ...] = _numbers(ABOUT)[0]
+    damping: tuple[float, ...] | None = _numbers(ABOUT)[1]
+
+
+def blocked(rows: Sequence[BlockedMotion]) -> list[str]:
+    """The groups of directions that a joint with these rows blocks."""
+    kinds = {type(row) for row in rows}
+    return [ALONG] * (Distance in kinds) + [ABOUT] * (Angle in kinds)
+
+
+def compliant(
+    stiffness: Sequence[float], damping: Sequence[float] | None, rows: tuple[BlockedMotion, ...]
+) -> CompliantJoint:
+    """The joint with these rows; ``stiffness``, ``damping``: along axes and about them, of which it takes its own."""
+    groups = blocked(rows)
+    kind = CompliantJoint if len(groups) > 1 else CompliantAlong if ALONG in groups else CompliantAbout
+    own = lambda x: tuple(one for name, one in zip(UNITS, x, strict=True) if name in groups)  # noqa: E731
+    return kind(own(stiffness), None if damping is None else own(damping), rows)
+
+
+def of_row(row: object, keys: Mapping[str, Any]) -> tuple[Value, Value]:
+    """Stiffness and damping of a row, among what its laws take."""
+    place = -1 if isinstance(row, Angle) else 0
+    return keys["stiffness"][place], keys["damping"][place]
 
 
 def _gap(row: BlockedMotion, x: Relative) -> Value:

@@ -13,7 +13,7 @@ import numpy as np
 from ..algorithms.parameter_slopes import BY_P, Differentiable
 from ..arguments import Loads, Numbers, choice, seconds
 from ..backends.c.by_p import STEPS, rows
-from ..backends.c.derivatives import without_step, without_wrenches
+from ..backends.c.derivatives import without_wrenches
 from ..backends.numpy.numeric import singular
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..integrators.method import Method
@@ -87,8 +87,6 @@ class CompiledDerivatives(Memory):
         """
         self._needs_derivatives()
         c, step = self.chain, (self.number(method), self._real(seconds(dt, "dt")))
-        if why := without_step(c, known(method, self.methods)):
-            raise UsageError(f"there is no C of the derivatives of a step of '{method}': {why}; use CasADi's or JAX's")
         size = c.nv + c.nvz
         shapes = c.nq, c.nvz, (size, size), (size, c.n_tau)
         return self._differentiated("step_derivatives", shapes, (q, v, tau, w_ext), *step)

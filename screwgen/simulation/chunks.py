@@ -43,6 +43,11 @@ class How(NamedTuple):
     single: bool
     periods: int = 0
 
+    @property
+    def settling(self) -> float:
+        """As of :meth:`.Method.settling`, s."""
+        return self.method.settling(self.step / self.substeps)
+
 
 _kept: dict[str, Any] = {}
 """What a task that came packed needs, by its digest: that of the last one."""

@@ -52,10 +52,9 @@ class _Run(ctypes.Structure):
         ("sampling", ctypes.c_int),
         ("watch", ctypes.c_int),
         ("far", ctypes.c_double),
-        *(
-            (name, ctypes.c_void_p)
-            for name in ("largest", "at", "first", "hits", "limited_first", "limited_count", "loops")
-        ),
+        *((name, ctypes.c_void_p) for name in ("largest", "at", "first", "hits", "limited_first", "limited_count")),
+        ("settling", ctypes.c_double),
+        ("loops", ctypes.c_void_p),
     )
 
 
@@ -111,6 +110,7 @@ class CompiledRuns:
         self.plan.limited_first, self.plan.limited_count = (
             x.ctypes.data for x in (table.limited.first, table.limited.count)
         )
+        self.plan.settling = self.method.settling(task.step)
         self.plan.loops = ctypes.addressof(table.loops.seen)
         c.q[:], c.v[:] = task.q0, task.v0
         with at_time(0.0):

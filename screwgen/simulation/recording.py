@@ -153,9 +153,16 @@ class Recorder:
         self.dynamics, self.hold = Dynamics(table.model, table.p), holding(table.model, table.p)
         modal = table.model.modal_functions
         self.watched, self.measures = CasadiEvaluator(modal["watched_dynamics"]), CasadiEvaluator(modal["measures"])
+        self.settled = CasadiEvaluator(modal["settled_rows"]) if table.model.chain.compliant else None
         self.tip_pose = CasadiEvaluator(functions["tip_pose"])
         rows = reported(table.model.chain)
         self.reports = {row.name: (row.names, CasadiEvaluator(functions[row.name])) for row in rows}
+
+    def felt(self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, settling: float) -> np.ndarray:
+        """The tip wrenches with what stiff rows of loops bear besides; ``settling``: as of :meth:`.Method.settling`."""
+        if self.settled is None or not settling:
+            return w_ext
+        return self.settled(q, v, tau, w_ext, np.array(settling), self.table.p)[0].reshape(w_ext.shape)
 
     def look(self, t: float, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> np.ndarray | None:
         """The joint wrenches under what a step holds; None if a link bends by more than its length."""

@@ -168,7 +168,8 @@ def rollout(
     if executor is None:
         run = rolled(model, given, count, how)
     else:
-        run = replace(joined(in_chunks(rolled, model, given, count, how, executor)), source=Source(model, given))
+        found = joined(in_chunks(rolled, model, given, count, how, executor))
+        run = replace(found, source=Source(model, given, how.settling))
     warn_refused(run.refused, len(run.refused), "report()")
     run.validity.warn(model, stacklevel=2)
     run._source.limited(run.t, run.q, run.v).warn(model)
@@ -217,9 +218,8 @@ def rolled(model: RobotModel, given: Mapping[str, np.ndarray], count: int, how: 
     for k in refused:
         status[k], done[k], fault[k], q[k], v[k] = REFUSED, 0, -1, q[k, 0], v[k, 0]
     t = step * np.arange(periods + 1)
-    links = tuple(model.chain.names)
-    found = watched(model, given, t, q, v), refused, Source(model, given)
-    return Rollout(t, q, v, status, done, fault, links, *found)
+    found = watched(model, given, t, q, v), refused, Source(model, given, how.settling)
+    return Rollout(t, q, v, status, done, fault, tuple(model.chain.names), *found)
 
 
 def _constants(model: RobotModel, batch: CompiledBatch, p: np.ndarray) -> tuple[np.ndarray, np.ndarray, dict[int, str]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import prod
@@ -23,11 +24,13 @@ from .measured import STRAIN, measured, strain
 class Source:
     """The model of a rollout and what was given.
 
-    ``given``: `tau`, `w_ext` (batch or 1, periods or 1, numbers), `parameters` (batch or 1, n).
+    ``given``: `tau`, `w_ext` (batch or 1, periods or 1, numbers), `parameters` (batch or 1, n). ``settling``: as of
+    :meth:`.Method.settling`, s.
     """
 
     model: RobotModel
     given: Mapping[str, np.ndarray]
+    settling: float
 
     @property
     def shapes(self) -> dict[str, tuple[int, ...]]:
@@ -59,7 +62,8 @@ class Source:
                 compiled.prepare(p[k])
             inputs = [self._held(name, k, samples) for name in ("tau", "w_ext")]
             given = np.ascontiguousarray(np.hstack([q[k], v[k], *inputs]), float)
-            compiled.library.shim_samples(compiled.memory, samples, pointer(given), pointer(rows[k]))
+            over = ctypes.c_double(self.settling)
+            compiled.library.shim_samples(compiled.memory, samples, over, pointer(given), pointer(rows[k]))
         parts = np.split(rows, np.cumsum(sizes)[:-1], axis=2)
         return {
             name: part.reshape(count, samples, *size)

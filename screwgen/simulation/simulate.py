@@ -186,14 +186,15 @@ def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | 
                 if task.sampled(k) or k % WATCH == 0:
                     if not table.loops.look(t, q):
                         raise table.loops.opened()
-                    joints = record.look(t, q, v, held, wrench)
+                    felt = record.felt(q, v, held, wrench, plant.method.settling(task.step))
+                    joints = record.look(t, q, v, held, felt)
                     if joints is None:
                         raise left(plant.method, table.watch)
                     if task.sampled(k):
                         table.acted(task.rows(k), wrench)
                         if model.chain.holds:
                             table.limited.take(np.array([t]), tau, held)
-                        record(task.rows(k), q, v, joints, (held, wrench))
+                        record(task.rows(k), q, v, joints, (held, felt))
                 if k < task.steps:
                     before, given = state, (tau, wrench, task.reach(k))
                     state = plant.step(before, *given)

@@ -2,37 +2,54 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
-from ..joints.compliant import CompliantJoint
+from ..joints.compliant import ALONG, CompliantJoint, blocked, compliant
 from ..joints.constraints import rows
 from ..joints.screw import Screw
 from .axes import screw_of
 from .joint import Axes, Joint
 from .part import Part
+from .ranges import several, within
 from .stated import Stated
 from .values import refuse
 
+Numbers = float | tuple[float, float]
+"""One number, or those along the axes that a joint blocks and about them."""
+
+
+def _one_or_two(quantity: str) -> Callable[[Any], Any]:
+    """The check of such numbers."""
+    check = lambda x: (several(quantity, 2) if isinstance(x, list | tuple) else within(quantity))(x)  # noqa: E731
+    return check
+
+
 STIFFNESS = Stated(
-    "stiffness of a row",
-    "stiffness along the axes that it blocks, and about these in N·m per rad",
-    "; else it is rigid",
+    *("stiffness of a row", "stiffness along the axes that it blocks, and about them"),
+    more="; an array: along, about; without it the joint is rigid",
+    check=_one_or_two("stiffness of a row"),
 )
-DAMPING = Stated("damping of a row", "damping along the axes that it blocks, and about these in N·m·s per rad")
+DAMPING = Stated(
+    *("damping of a row", "damping along the axes that it blocks, and about them"),
+    more="; an array: along, about",
+    check=_one_or_two("damping of a row"),
+)
 
 
 class LoopJoint(Part):
     """Motions about and along `axes`, which a loop leaves free; no axes: welded.
 
     It is rigid in all others. With `stiffness` it gives way there: along every direction and about every axis that it
-    blocks a spring of that stiffness acts (N/m, N·m/rad), and a damper of `damping` (N·s/m, N·m·s/rad).
+    blocks a spring of that stiffness acts (N/m, N·m/rad), and a damper of `damping` (N·s/m, N·m·s/rad). Two numbers
+    are those along and about.
     """
 
     axes: Axes = Field(description='the axes that stay free, as ["y", { slide = "x" }]; [] welds')
-    stiffness: Annotated[float, STIFFNESS] | None = None
-    damping: Annotated[float, DAMPING] | None = None
+    stiffness: Annotated[Numbers, STIFFNESS] | None = None
+    damping: Annotated[Numbers, DAMPING] | None = None
 
     @model_validator(mode="before")
     @classmethod
@@ -55,6 +72,15 @@ class LoopJoint(Part):
             raise refuse(said, ("damping",))
         return self
 
+    @model_validator(mode="after")
+    def _two_of_both(self) -> Self:
+        found = blocked(rows(self.screws))
+        for key in ("stiffness", "damping"):
+            if isinstance(getattr(self, key), tuple) and len(found) < 2:
+                missing = "turns" if ALONG in found else "motion along an axis"
+                raise refuse(f"has two entries, but the joint blocks no {missing}; state one number", (key,))
+        return self
+
     @property
     def screws(self) -> tuple[Screw, ...]:
         """The motions that it leaves free, in order."""
@@ -65,4 +91,6 @@ class LoopJoint(Part):
         """The springs and dampers of a joint that gives way; None of a rigid one."""
         if self.stiffness is None:
             return None
-        return CompliantJoint(self.stiffness, self.damping, rows(self.screws))
+        both = lambda x: x if isinstance(x, tuple) else (x, x)  # noqa: E731
+        damping = None if self.damping is None else both(self.damping)
+        return compliant(both(self.stiffness), damping, rows(self.screws))

@@ -68,7 +68,7 @@ LOOPS: dict[str, list] = {
     "slide loop": [{"slide": "x"}],
     "welded loop": [],
 }
-COMPLIANT = {"axes": [{"slide": [0.6, 0.0, 0.8]}, "y"], "stiffness": 35.0, "damping": 1.2}
+COMPLIANT = {"axes": [{"slide": [0.6, 0.0, 0.8]}, "y"], "stiffness": [35.0, 12.0], "damping": [1.2, 0.4]}
 STRUT = {"stiffness": 60.0, "rest": 0.2, "damping": 3.0}
 ROPE = {"stiffness": 9.0, "rest": 0.4, "damping": 1.5, "slack": True}
 WINCH = {"stiffness": 40.0, "rest": 0.3, "damping": 2.0, "winch": True}

@@ -177,7 +177,8 @@ class Outer:
         the angle between the axis of the turn in both frames."""
         (slide, axis), (R_a, a), (R_b, b) = law["axes"], first, second
         along, about = ca.DM(slide["slide"]), ca.DM([float(x == axis) for x in "xyz"])
-        k, c, turn = law["stiffness"], law["damping"], ca.SX.sym("turn", 3)
+        k, c = (ca.DM([x] * 3 + [y] * 3) for x, y in (law["stiffness"], law["damping"]))
+        turn = ca.SX.sym("turn", 3)
         across = lambda n, x: x - n * ca.dot(n, x)  # noqa: E731
         d, R = across(along, R_a.T @ (b - a)), R_a.T @ R_b
         tilted = lambda turned: across(about, (ca.SX.eye(3) + ca.skew(turned)) @ R @ about)  # noqa: E731
@@ -187,7 +188,7 @@ class Outer:
         stress = k * gap + c * rate
         force = -ca.jtimes(gap, self.oracle.q, stress, True)
         torque = -ca.substitute(ca.jtimes(tilted(turn), turn, stress[3:], True), turn, ca.SX.zeros(3))
-        return Acting(force, k * ca.sumsqr(gap) / 2, R_a @ torque, -R_a @ stress[:3])
+        return Acting(force, ca.dot(k, gap**2) / 2, R_a @ torque, -R_a @ stress[:3])
 
     def _on_tip(self, place: Place, torque: ca.SX, load: ca.SX, point: ca.SX) -> ca.SX:
         """(6, n): the equivalent on the tip of the link of what acts at a point of the section."""

@@ -57,10 +57,6 @@ REFUSALS: tuple[Refusal, ...] = (
     ),
     Refusal("URDF", ("screw",), "URDF has no joint that turns and travels at once", "URDF has no screws"),
     Refusal("URDF", ("ball",), "is a ball joint, which URDF does not have", "URDF has no ball joints"),
-    Refusal(
-        *("derivatives of steps", ("compliant loop",), "it takes a loop whose joint gives way at its end"),
-        why="the C of the slopes of implicit steps holds such rows as forces; CasADi and JAX have these slopes",
-    ),
     *(
         Refusal("modes", (base, x), "no table of modes beside forces between frames", "no table under loads that float")
         for base in ("floating", "afloat")

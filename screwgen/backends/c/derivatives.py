@@ -10,7 +10,7 @@ from ...algorithms.wrench_slopes import wrench_program
 from ...errors import TargetWarning
 from ...integrators.method import Method
 from ...topology.chain import Chain
-from . import brakes, recursive_slopes, step_derivatives
+from . import brakes, compliant, recursive_slopes, step_derivatives
 from .code import Place, entries, singular
 from .pieces import piece_place, pieces
 from .stumpff_slopes import slopes
@@ -43,9 +43,13 @@ def content(
     )
     recursion = recursive_slopes.content(chain, baked) if recursive_slopes.is_chosen(chain, layout) else None
     made = _by_recursion(recursion) if recursion else _in_pieces(chain, baked, place)
-    derived = {name: method for name, method in methods.items() if not without_step(chain, method)}
-    made |= step_derivatives.content(chain, derived, made["operations"] + solve)
+    later = compliant.slopes(chain, baked is not None, place)
+    per_stage = made["operations"] + solve
+    made |= step_derivatives.content(chain, methods, per_stage, later["count"] if later else per_stage)
+    if later:
+        made["programs"] = [*made["programs"], later["program"]]
     return made | {
+        "compliant": later,
         "recursion": recursion,
         "solve": solve,
         "rows": rows,
@@ -86,12 +90,6 @@ def _in_pieces(chain: Chain, baked: Sequence[dict] | None, place: Place) -> dict
 def without_wrenches(chain: Chain) -> str:
     """Why there are no derivatives of the joint wrenches; empty where there are."""
     return "those of robots with loops are not derived" if chain.closing.rows else ""
-
-
-def without_step(chain: Chain, method: Method) -> str:
-    """Why there are no derivatives of a step; empty where there are."""
-    later = chain.compliant and any(stage.implicit for stage in method.stages)
-    return "it takes a loop whose joint gives way at its end" if later else ""
 
 
 def _wrenches_by_recursion(chain: Chain, baked: Sequence[dict] | None) -> dict:

@@ -71,7 +71,7 @@ class Fitted:
     def __init__(self, chain: Chain, wrench_names: Sequence[str], said: Mpc, file: str):
         self.chain, self.wrench_names, self.said, self.file = chain, wrench_names, said, file
         for asked, what in (
-            (bool(chain.robot.loops), "loops"),
+            (bool(chain.robot.rigid_loops), "loops"),
             (bool(chain.robot.couplings), "couplings"),
             (chain.floating, f"a {chain.robot.base} base"),
             (bool(chain.curved), "a ball joint"),

@@ -62,11 +62,13 @@ def _part(part: Fraction, step: str) -> str:
     return f"{'-' * (part < 0)}{times}{step}" + f" / {part.denominator}" * (part.denominator > 1)
 
 
-def content(chain: Chain, methods: Mapping[str, Method], per_stage: int) -> dict:
-    """The templates' context; ``per_stage``: the operations of an acceleration's derivatives, the solver's included."""
+def content(chain: Chain, methods: Mapping[str, Method], per_stage: int, implicit: int) -> dict:
+    """The templates' context; ``per_stage``: the operations of an acceleration's derivatives, the solver's included;
+    ``implicit``: those of an implicit stage."""
     steps = [StepSlopes(method) for method in methods.values()]
     product = 2 * chain.nv**2 * (2 * chain.nv + chain.n_tau)
-    count = lambda m: len(m.method.stages) * per_stage + m.products * product  # noqa: E731
+    stages = lambda m: sum(implicit if stage.implicit else per_stage for stage in m.method.stages)  # noqa: E731
+    count = lambda m: stages(m) + m.products * product  # noqa: E731
     return {
         "steps": [(m, f"{round(count(m), -2):,}".replace(",", " ")) for m in steps],
         "stages": max(len(m.method.stages) for m in steps),

@@ -23,7 +23,7 @@ from ...algorithms.linearise import slopes
 from ...algorithms.robot_function import RobotFunction, is_matrix, shape
 from ...algorithms.robot_functions import offered
 from ...algorithms.signals import Signal
-from ...algorithms.tip_programs import COMPLIANT
+from ...algorithms.tip_programs import COMPLIANT, settled_rows
 from ...arguments import choice
 from ...errors import TargetWarning, UsageError
 from ...ir.program import Program
@@ -158,7 +158,9 @@ def _beside_dynamics(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
         return function(name, given, **expressions(program, given))
 
     in_dae = {f"dae_{make.__name__}": partial(make, dae=True) for make in COMPLIANT}
-    rows: dict[str, Callable] = {make.__name__: make for make in COMPLIANT} | in_dae if chain.compliant else {}
+    rows: dict[str, Callable] = (
+        {make.__name__: make for make in (*COMPLIANT, settled_rows)} | in_dae if chain.compliant else {}
+    )
     if chain.n_force_states:
         rows |= {"force_rates": programs.force_rates, "dae_force_rates": programs.dae_force_rates}
     return {name: partial(made, name, make) for name, make in rows.items()}

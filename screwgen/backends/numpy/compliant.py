@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...algorithms.functions import MOTION
+from ...algorithms.functions import EVERYTHING, MOTION
 from ...arguments import Numbers
 from .numeric import Numeric
 
@@ -13,3 +13,11 @@ def compliance(numeric: Numeric, q: Numbers) -> tuple[np.ndarray, np.ndarray, np
     """Of their rows the rates of the gaps per unit of each entry of v (rows, nv), stiffness and damping (rows,)."""
     k, c = np.array(numeric._functions(MOTION).stiffness_and_damping(), float).reshape(-1, 2).T
     return numeric.by_rates(lambda functions, q, v: functions.row_terms(q, v)[len(k) :], q), k, c
+
+
+def settled(numeric: Numeric, q: Numbers, v: Numbers, tau: Numbers, w_ext: Numbers | None, h: float) -> np.ndarray:
+    """The tip wrenches (n, 6) under which runs of implicit steps of ``h`` report: see
+    :meth:`...algorithms.compliant_functions.CompliantFunctions.settled`."""
+    flat = numeric.rows(q=q, v=v, tau=tau, w_ext=w_ext)
+    found = numeric._functions(*EVERYTHING).settled(flat[0], flat[1], flat[2], flat[3], h)
+    return np.array([float(x) for x in found]).reshape(-1, 6)  # type: ignore[arg-type]  # numbers, as all that is given

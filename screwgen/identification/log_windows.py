@@ -15,6 +15,7 @@ import numpy as np
 from ..errors import UsageError
 from ..simulation.rollout import Rollout, rollout
 from . import smoothing
+from .loop_states import closed
 from .problem import STEP, MeasuredCases, Problem
 from .sensing import Start, readings
 from .signals import Signals
@@ -88,12 +89,19 @@ class Windows:
         chain = self.experiment.model.chain
         return all((np.abs(change_between(chain, b.x, a.x)) <= b.deviation).all() for a, b in pairs)
 
-    def x0(self, window: np.ndarray, shift: np.ndarray) -> np.ndarray:
-        """The states (lanes, nq + nvz) in which lanes begin, `shift` (lanes, states) in deviations of these."""
+    def x0(self, window: np.ndarray, shift: np.ndarray, p: np.ndarray) -> np.ndarray:
+        """The states (lanes, nq + nvz) in which lanes begin, `shift` (lanes, states) in deviations of these.
+
+        `p` (lanes, n): their parameters, with which loops are closed.
+        """
         x, deviation = np.array([b.x for b in self.begin]), np.array([b.deviation for b in self.begin])
         change = np.zeros((len(window), deviation.shape[1]))
         change[:, self.states] = shift * deviation[window][:, self.states]
-        return changed(self.experiment.model.chain, x[window], change)
+        x = changed(self.experiment.model.chain, x[window], change)
+        for lane, k in enumerate(window):
+            if (follow := self.begin[k].follow).size:
+                x[lane] = closed(self.experiment.model, x[lane], p[lane], follow)
+        return x
 
     def differences(self, problem: Problem, window: np.ndarray, sought: np.ndarray, shift: np.ndarray) -> np.ndarray:
         """Readings less what the model reads (lanes, samples, sensors), of lanes of windows; NaN where there is none.
@@ -119,7 +127,7 @@ class Windows:
             warnings.simplefilter("ignore")  # what is said of single motions is said of the result
             run = rollout(
                 problem.model,
-                self.x0(window, shift),
+                self.x0(window, shift, p),
                 tau[:, : self.size - 1],
                 step=e.log.step,
                 substeps=how.substeps,

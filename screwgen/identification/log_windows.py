@@ -115,10 +115,22 @@ class Windows:
         out[~run.ok] = np.inf
         return out
 
+    def continued(self, problem: Problem, sought: np.ndarray, shift: np.ndarray) -> np.ndarray:
+        """Other starts (W, states) to try: of each window where the motion of the one before it ends."""
+        every, other = np.arange(len(self.first)), shift.copy()
+        values = np.tile(problem.unknowns.values(sought), (len(every), 1))
+        run, *_ = self.rolled(problem, every, values, shift, self.size)
+        ends = np.hstack([run.q[:, -1], run.v[:, -1]])
+        for k in every[1:][run.ok[:-1]]:
+            begin, own = self.begin[k], self.begin[k].deviation[self.states]
+            change = change_between(self.experiment.model.chain, begin.x, ends[k - 1])[self.states]
+            other[k] = np.divide(change, own, out=np.zeros_like(own), where=own > 0)
+        return other
+
     def rolled(
-        self, problem: Problem, window: np.ndarray, values: np.ndarray, shift: np.ndarray
+        self, problem: Problem, window: np.ndarray, values: np.ndarray, shift: np.ndarray, steps: int | None = None
     ) -> tuple[Rollout, np.ndarray, np.ndarray]:
-        """The motions of lanes, their parameters, and their inputs."""
+        """The motions of lanes, their parameters, and their inputs; `steps`: if not those between their samples."""
         e, how = self.experiment, problem.how
         gains = [input_numbers(problem.unknowns, column, values) for column in e.columns.inputs]
         tau = e.tau(self.first[window], self.size, gains)
@@ -128,7 +140,7 @@ class Windows:
             run = rollout(
                 problem.model,
                 self.x0(window, shift, p),
-                tau[:, : self.size - 1],
+                tau[:, : self.size - 1 if steps is None else steps],
                 step=e.log.step,
                 substeps=how.substeps,
                 integrator=how.integrator,

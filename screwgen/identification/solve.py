@@ -147,7 +147,8 @@ class Fit:
             at.sought, at.shift, at.differences, at.cost = better.sought, better.shift, better.differences, better.cost
             at.history.append(at.cost)
             yield
-            if done:
+            anew = gained < MUCH * at.cost and self._continued(at)
+            if done and not anew:
                 return
         at.stopped = f"not converged in {iterations} iterations"
 
@@ -192,16 +193,41 @@ class Fit:
 
         `steps` has them of some windows with a damping.
         """
-        group, shift, difference = self.problem.groups[log], there.shift[log], there.differences[log]
+        group = self.problem.groups[log]
         before, now = (self._costs(group, x.shift[log], x.differences[log], at.noise) for x in (at, there))
         for damping in CALMED:
             if not (windows := np.flatnonzero(now > worse * before)).size:
                 break
-            other = at.shift[log][windows] + steps(windows, damping)
-            found = group.differences(self.problem, windows, np.tile(there.sought, (len(windows), 1)), other)
-            better = (own := self._costs(group, other, found, at.noise)) < now[windows]
-            chosen = windows[better]
-            shift[chosen], difference[chosen], now[chosen] = other[better], found[better], own[better]
+            self._take(log, there, windows, at.shift[log][windows] + steps(windows, damping), now)
+
+    def _continued(self, at: Estimate) -> bool:
+        """Let windows begin where those before them end if that halves their costs; whether some do.
+
+        The start of a window may be caught where no small step makes it better, as in a joint that sticks.
+        """
+        found = False
+        for log, group in enumerate(self.problem.groups):
+            if len(group.states):
+                now = self._costs(group, at.shift[log], at.differences[log], at.noise)
+                other = group.continued(self.problem, at.sought, at.shift[log])
+                found |= self._take(log, at, np.arange(len(now)), other, now, 1 / WORSE[0])
+        at.cost = self._cost(at.sought, at.shift, at.differences, at.noise)
+        return found
+
+    def _take(
+        self, log: int, there: Estimate, windows: np.ndarray, other: np.ndarray, now: np.ndarray, share: float = 1.0
+    ) -> bool:
+        """Take `other` starts (windows, states) of windows of a log where their costs are less than a share of `now`.
+
+        In place; whether some are.
+        """
+        group = self.problem.groups[log]
+        found = group.differences(self.problem, windows, np.tile(there.sought, (len(windows), 1)), other)
+        better = (own := self._costs(group, other, found, there.noise)) < share * now[windows]
+        chosen = windows[better]
+        there.shift[log][chosen], there.differences[log][chosen] = other[better], found[better]
+        now[chosen] = own[better]
+        return bool(better.any())
 
     def at(self, sought: np.ndarray, shift: list[np.ndarray], noise: np.ndarray) -> Estimate:
         """The estimate with these numbers and starts."""

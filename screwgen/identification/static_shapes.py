@@ -160,6 +160,9 @@ class StaticShapes:
         made = self.read(problem, window, problem.unknowns.values(sought))
         return np.where(np.isinf(made), np.inf, self.compared[window] - made)
 
+    def continued(self, problem: Problem, sought: np.ndarray, shift: np.ndarray) -> np.ndarray:
+        return shift
+
     def linearised(
         self, problem: Problem, sought: np.ndarray, shift: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -80,12 +80,12 @@ from .studies.assemble import assemble as assemble
 from .studies.convergence import Convergence as Convergence
 from .studies.convergence import convergence as convergence
 from .studies.equilibrium import Equilibrium as Equilibrium
-from .studies.equilibrium import NoEquilibriumError as NoEquilibriumError
 from .studies.equilibrium import equilibrium as equilibrium
 from .studies.linear import LinearModel as LinearModel
 from .studies.modes import ModeShapes as ModeShapes
 from .studies.modes import mode_shapes as mode_shapes
 from .studies.modes import natural_frequencies as natural_frequencies
+from .studies.no_equilibrium import NoEquilibriumError as NoEquilibriumError
 from .studies.standard_data import write_sid as write_sid
 from .version import __version__ as __version__
 from .viewer.frames import film as film

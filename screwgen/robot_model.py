@@ -10,6 +10,8 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
+import numpy as np
+
 from .algorithms.dae_functions import dae_names
 from .algorithms.gauges import strain_names
 from .algorithms.scope import derived
@@ -29,6 +31,8 @@ if TYPE_CHECKING:
     from .backends.lazy import LazyFunctions
 
 _T = TypeVar("_T")
+KEPT = 16
+"""Parameters of a robot for which is kept what follows from them."""
 
 
 class RobotModel:
@@ -59,6 +63,15 @@ class RobotModel:
         if key not in self._kept:
             self._kept[key] = make()
         return cast(_T, self._kept[key])
+
+    def once_for(self, key: Hashable, p: np.ndarray, make: Callable[[], _T]) -> _T:
+        """What ``make`` returns at parameters ``p`` (n,); kept for a few of them, as where many rests are sought."""
+        kept, own = self.once((key, "by parameters"), dict[bytes, _T]), p.tobytes()
+        if own not in kept:
+            if len(kept) >= KEPT:
+                kept.clear()
+            kept[own] = make()
+        return kept[own]
 
     def made(self, key: Hashable) -> bool:
         """Whether :meth:`once` has made it."""

@@ -9,8 +9,12 @@ from identified_arms import SENSORS, TRUE, elsewhere, logged, pendulum, swing, t
 
 import screwgen
 from screwgen.cli.main import main
+from screwgen.identification.beside import how_of
 from screwgen.identification.logs import Log
+from screwgen.identification.problem import Problem
 from screwgen.identification.signals import signal
+from screwgen.identification.solve import Fit
+from screwgen.identification.unknowns import FreeNumber, Unknowns
 from screwgen.spec.columns import Column, load_columns
 
 
@@ -157,3 +161,41 @@ def test_a_part_outside_of_the_log_is_refused_in_a_line(tmp_path, part):
     np.savetxt(tmp_path / "log.csv", np.column_stack([t, t, t, t]), delimiter=",", header=names, comments="")
     with pytest.raises(screwgen.UsageError, match=r"log\.csv: has 0 samples from"):
         screwgen.identify(pendulum(), f"{tmp_path / 'log.csv'}@{part}", free=["rod.EIz"], sensors=SENSORS)
+
+
+class Astray:
+    """Readings of ``exp(p) - 1`` and ``arsinh(200 x)`` in windows that begin at some x each.
+
+    From x far from zero a whole step of Newton's leads ever farther away.
+    """
+
+    names, stated, states, step = ["y"], np.array([1e-3]), np.zeros(1, int), 1e-3
+
+    def __init__(self, starts):
+        self.x, self.compared = np.array(starts, float), np.zeros((len(starts), 2, 1))
+
+    spread = np.ones(1)
+
+    def differences(self, problem, window, sought, shift):
+        x, p = self.x[window] + shift[:, 0], sought[:, 0]
+        return -np.stack([np.exp(p) - 1, np.arcsinh(200 * x)], axis=1)[..., None]
+
+    def continued(self, problem, sought, shift):
+        return shift
+
+    def linearised(self, problem, sought, shift):
+        every = np.arange(len(self.x))
+        x = self.x + shift[:, 0]
+        by_p, by_x = np.zeros((len(x), 2, 1, 1)), np.zeros((len(x), 2, 1, 1))
+        by_p[:, 0], by_x[:, 1, 0, 0] = -np.exp(sought[0]), -200 / np.sqrt(1 + (200 * x) ** 2)
+        return self.differences(problem, every, np.tile(sought, (len(x), 1)), shift), by_p, by_x
+
+
+def test_a_window_that_goes_astray_does_not_end_the_search():
+    """The start of one window of five lies where whole steps lead away; the number is found all the same."""
+    group, one = Astray([0.0, 0.01, 0.4, -0.01, 0.02]), FreeNumber("p", "parameter", 3.0, "", False, 1.0)
+    fit = Fit(Problem(None, [group], Unknowns([one]), how_of("modal_midpoint", 1, 1)), robust=False)
+    at = fit.run(40, np.array([0.5]))
+    assert not at.stopped and abs(at.sought[0]) < 1e-6
+    assert np.abs(group.x + at.shift[0][:, 0]).max() < 1e-3
+    assert fit.begun(np.zeros(1)).cost < fit.start(np.zeros(1)).cost

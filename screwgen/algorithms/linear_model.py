@@ -8,7 +8,7 @@ from ..ir.derivative import columns, tangents
 from ..ir.program import Node, Program, Value, Vector
 from ..topology.chain import Chain
 from . import matrices as mx
-from .functions import Functions
+from .functions import ENERGY, INVERSE, MOTION, PLACES, Functions
 from .fused import fuse, inputs
 from .marker_functions import STRAINED
 from .response import POINT
@@ -125,7 +125,7 @@ def statics(chain: Chain) -> Program:
             "tip": f.poses(x["q"])[1][chain.last][1],
         }
 
-    return fuse(chain, "statics", inputs(chain, "q w_ext"), body)
+    return fuse(chain, "statics", inputs(chain, "q w_ext"), body, algorithms=(INVERSE, ENERGY, PLACES, MOTION))
 
 
 def _flat(columns: Iterable[Vector]) -> list[Value]:

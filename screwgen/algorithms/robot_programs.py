@@ -10,6 +10,7 @@ from ..topology.chain import Chain
 from . import fused
 from .dae_functions import DaeFunctions
 from .functions import HOLD, Functions
+from .input_functions import LENGTHS
 
 
 @fused.program("q")
@@ -113,7 +114,7 @@ def free_fall(f: Functions, tau: Sequence) -> fused.Outputs:
     return {"free_fall": f.falling(tau).gravity}
 
 
-@fused.program("q")
+@fused.program("q", algorithms=(LENGTHS,))
 def tendon_length(f: Functions, q: Sequence) -> fused.Outputs:
     """``(q) -> (length)`` of every tendon."""
     return {"length": f.tendon_lengths(q)}

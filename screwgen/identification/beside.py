@@ -93,7 +93,9 @@ def explained(
     found = Fit(Problem(model, [cut], asked, how, fixed=True), robust).begun(sought)
     problem = Problem(model, [run], asked, how)
     both = np.vstack([sought, np.zeros_like(sought)])
-    begun = np.tile(found.shift[0][0] * cut.begin[0].deviation[cut.states] / run.begin[0].deviation[run.states], (2, 1))
+    change, size = np.zeros(len(run.begin[0].deviation)), run.begin[0].deviation[run.states]
+    change[cut.states] = found.shift[0][0] * cut.begin[0].deviation[cut.states]
+    begun = np.tile(change[run.states] / size, (2, 1))
     whole, before = run.differences(problem, np.zeros(2, int), both, begun)
     readings = run.compared[0]
     windows = np.full_like(readings, np.nan)

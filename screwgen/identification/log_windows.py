@@ -15,6 +15,7 @@ import numpy as np
 from ..errors import UsageError
 from ..simulation.rollout import Rollout, rollout
 from . import smoothing
+from .loop_states import closed
 from .problem import STEP, MeasuredCases, Problem
 from .sensing import Start, readings
 from .signals import Signals
@@ -88,12 +89,19 @@ class Windows:
         chain = self.experiment.model.chain
         return all((np.abs(change_between(chain, b.x, a.x)) <= b.deviation).all() for a, b in pairs)
 
-    def x0(self, window: np.ndarray, shift: np.ndarray) -> np.ndarray:
-        """The states (lanes, nq + nvz) in which lanes begin, `shift` (lanes, states) in deviations of these."""
+    def x0(self, window: np.ndarray, shift: np.ndarray, p: np.ndarray) -> np.ndarray:
+        """The states (lanes, nq + nvz) in which lanes begin, `shift` (lanes, states) in deviations of these.
+
+        `p` (lanes, n): their parameters, with which loops are closed.
+        """
         x, deviation = np.array([b.x for b in self.begin]), np.array([b.deviation for b in self.begin])
         change = np.zeros((len(window), deviation.shape[1]))
         change[:, self.states] = shift * deviation[window][:, self.states]
-        return changed(self.experiment.model.chain, x[window], change)
+        x = changed(self.experiment.model.chain, x[window], change)
+        for lane, k in enumerate(window):
+            if (follow := self.begin[k].follow).size:
+                x[lane] = closed(self.experiment.model, x[lane], p[lane], follow)
+        return x
 
     def differences(self, problem: Problem, window: np.ndarray, sought: np.ndarray, shift: np.ndarray) -> np.ndarray:
         """Readings less what the model reads (lanes, samples, sensors), of lanes of windows; NaN where there is none.
@@ -107,10 +115,22 @@ class Windows:
         out[~run.ok] = np.inf
         return out
 
+    def continued(self, problem: Problem, sought: np.ndarray, shift: np.ndarray) -> np.ndarray:
+        """Other starts (W, states) to try: of each window where the motion of the one before it ends."""
+        every, other = np.arange(len(self.first)), shift.copy()
+        values = np.tile(problem.unknowns.values(sought), (len(every), 1))
+        run, *_ = self.rolled(problem, every, values, shift, self.size)
+        ends = np.hstack([run.q[:, -1], run.v[:, -1]])
+        for k in every[1:][run.ok[:-1]]:
+            begin, own = self.begin[k], self.begin[k].deviation[self.states]
+            change = change_between(self.experiment.model.chain, begin.x, ends[k - 1])[self.states]
+            other[k] = np.divide(change, own, out=np.zeros_like(own), where=own > 0)
+        return other
+
     def rolled(
-        self, problem: Problem, window: np.ndarray, values: np.ndarray, shift: np.ndarray
+        self, problem: Problem, window: np.ndarray, values: np.ndarray, shift: np.ndarray, steps: int | None = None
     ) -> tuple[Rollout, np.ndarray, np.ndarray]:
-        """The motions of lanes, their parameters, and their inputs."""
+        """The motions of lanes, their parameters, and their inputs; `steps`: if not those between their samples."""
         e, how = self.experiment, problem.how
         gains = [input_numbers(problem.unknowns, column, values) for column in e.columns.inputs]
         tau = e.tau(self.first[window], self.size, gains)
@@ -119,8 +139,8 @@ class Windows:
             warnings.simplefilter("ignore")  # what is said of single motions is said of the result
             run = rollout(
                 problem.model,
-                self.x0(window, shift),
-                tau[:, : self.size - 1],
+                self.x0(window, shift, p),
+                tau[:, : self.size - 1 if steps is None else steps],
                 step=e.log.step,
                 substeps=how.substeps,
                 integrator=how.integrator,

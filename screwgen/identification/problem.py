@@ -69,6 +69,9 @@ class MeasuredCases(Protocol):
         `sought` (lanes, k); `shift` (lanes, states).
         """
 
+    def continued(self, problem: Problem, sought: np.ndarray, shift: np.ndarray) -> np.ndarray:
+        """Other starts (W, states) to try: of each case where the motion of the one before it ends."""
+
     def linearised(
         self, problem: Problem, sought: np.ndarray, shift: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
-from scipy.signal import lfilter
 
 from ..spec.columns import Column
 
@@ -68,12 +67,16 @@ def _filtered(values: np.ndarray, numbers: Mapping[str, np.ndarray], step: float
 
 def _first_order(values: np.ndarray, pull: float, _: float, start: Start) -> np.ndarray:
     """``y[k + 1] = y[k] + pull (u[k] - y[k])`` from the logged reading on."""
+    from scipy.signal import lfilter  # nearly a second, and most logs name no filter
+
     rest, _ = lfilter([pull], [1.0, pull - 1.0], values[:, :-1], axis=1, zi=((1.0 - pull) * start.value)[:, None])
     return np.column_stack([start.value, rest])
 
 
 def _second_order(values: np.ndarray, pull: float, damping: float, start: Start) -> np.ndarray:
     """``y'' = pull² (u - y) - 2 damping pull y'`` per sample, from the logged reading and its rate on."""
+    from scipy.signal import lfilter
+
     a1, a2 = 2 * damping * pull - 2.0, 1.0 - 2 * damping * pull + pull**2
     second = start.value + start.rate
     zi = np.column_stack([-a1 * second - a2 * start.value, -a2 * second])

@@ -6,8 +6,9 @@ what states can make good; it is small, so that several dampings are tried, all 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
@@ -18,6 +19,11 @@ DAMPINGS = (1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0)
 MARQUARDT = 0.25
 """Steps are damped by the size of columns to this power: 0 is Levenberg's way, which moves little what the data hardly
 feel, 1 Marquardt's, which heeds no scales. All is sought in logarithms or over its scale."""
+WORSE, MUCH = (2.0, 1.0), 0.05
+"""How many times its cost before makes that of a window worse: then its start takes a shorter step. The second is tried
+where with the first no step lessens the cost of all by this share."""
+CALMED = (1e2, 1e4, 1e6, 1e8, 1e10, 1e12)
+"""The dampings of the starts of windows that are tried where a window gets worse, beside their deviations' own 1."""
 FIRST, LEAST, MOST = 1e-3, 1e-9, 1e9
 SMALL, SHARE = 0.2, 3e-3
 """A step that lessens the cost by less, residuals with much in common counted as fewer, and by less than this share
@@ -70,7 +76,14 @@ class StateFree:
         found = np.zeros(k)
         found[free] = -np.linalg.lstsq(own, np.concatenate([self.r, np.zeros(k)]), rcond=None)[0]
         found *= min(1.0, LONGEST / np.max(np.abs(found), initial=LONGEST))
-        return found, [np.array([-np.linalg.solve(a, c + b @ found) for a, b, c in log]) for log in self.states]
+        return found, [self.begun(k, found, range(len(log)), 0.0) for k, log in enumerate(self.states)]
+
+    def begun(self, log: int, step: np.ndarray, windows: Iterable[int], damping: float) -> np.ndarray:
+        """The steps (windows, states) of the starts of some windows of a log that go with a step of what is sought."""
+        parts = [self.states[log][w] for w in windows]
+        calm = np.sqrt(damping) * np.eye(len(parts[0][0]))
+        rows = [(np.vstack([a, calm]), np.append(c + b @ step, np.zeros(len(a)))) for a, b, c in parts]
+        return np.array([-np.linalg.lstsq(a, r, rcond=None)[0] for a, r in rows])
 
 
 class Fit:
@@ -102,8 +115,8 @@ class Fit:
         at, none = self.start(sought), np.zeros(len(sought), bool)
         for _ in range(SETTLED):
             found = self._linearised(at)
-            at.shift = [a + b for a, b in zip(at.shift, self.reduced(at, found).step(1.0, none)[1], strict=True)]
-        return self.at(sought, at.shift, at.noise)
+            at = self._trial(at, self.reduced(at, found), 1.0, none)
+        return at
 
     def _linearised(self, at: Estimate) -> list[tuple[np.ndarray, ...]]:
         """Differences and derivatives of every log, of which those and the noise become the estimate's."""
@@ -134,7 +147,8 @@ class Fit:
             at.sought, at.shift, at.differences, at.cost = better.sought, better.shift, better.differences, better.cost
             at.history.append(at.cost)
             yield
-            if done:
+            anew = gained < MUCH * at.cost and self._continued(at)
+            if done and not anew:
                 return
         at.stopped = f"not converged in {iterations} iterations"
 
@@ -143,19 +157,77 @@ class Fit:
         gradient = reduced.R.T @ reduced.r
         free = ~((at.sought <= self.low) & (gradient > 0) | (at.sought >= self.high) & (gradient < 0))
         while LEAST <= damping <= MOST:
-            tried = [self._trial(at, reduced, factor * damping, free) for factor in DAMPINGS]
-            best = min(range(len(tried)), key=lambda k: tried[k].cost)
+            tried: list[Estimate] = []
+            for worse in WORSE:
+                tried += [self._trial(at, reduced, factor * damping, free, worse) for factor in DAMPINGS]
+                best = min(range(len(tried)), key=lambda k: tried[k].cost)
+                if tried[best].cost < (1 - MUCH) * at.cost:
+                    break
             if tried[best].cost < at.cost:
-                return tried[best], max(LEAST, damping * DAMPINGS[best])
+                return tried[best], max(LEAST, damping * DAMPINGS[best % len(DAMPINGS)])
             damping *= DAMPINGS[-1] / DAMPINGS[0]
         return None, damping
 
-    def _trial(self, at: Estimate, reduced: StateFree, damping: float, free: np.ndarray) -> Estimate:
-        """The estimate after a step of some damping."""
+    def _trial(
+        self, at: Estimate, reduced: StateFree, damping: float, free: np.ndarray, worse: float = WORSE[-1]
+    ) -> Estimate:
+        """The estimate after a step of some damping.
+
+        Windows whose cost it makes so many times `worse` take shorter steps of their starts: where a joint sticks its
+        start has no slope and the step no bound, and one such window among many would end the search.
+        """
         step, begun = reduced.step(damping, free)
         sought = np.clip(at.sought + step, self.low, self.high)
-        shift = [a + b for a, b in zip(at.shift, begun, strict=True)]
-        return self.at(sought, shift, at.noise)
+        there = self.at(sought, [a + b for a, b in zip(at.shift, begun, strict=True)], at.noise)
+        for log, group in enumerate(self.problem.groups):
+            if len(group.states):
+                steps = partial(reduced.begun, log, step)
+                self._calm(log, at, there, worse, steps)
+        there.cost = self._cost(sought, there.shift, there.differences, at.noise)
+        return there
+
+    def _calm(
+        self, log: int, at: Estimate, there: Estimate, worse: float, steps: Callable[[np.ndarray, float], np.ndarray]
+    ) -> None:
+        """Shorten the steps of the starts of those windows of a log that are so many times `worse` `there`, in place.
+
+        `steps` has them of some windows with a damping.
+        """
+        group = self.problem.groups[log]
+        before, now = (self._costs(group, x.shift[log], x.differences[log], at.noise) for x in (at, there))
+        for damping in CALMED:
+            if not (windows := np.flatnonzero(now > worse * before)).size:
+                break
+            self._take(log, there, windows, at.shift[log][windows] + steps(windows, damping), now)
+
+    def _continued(self, at: Estimate) -> bool:
+        """Let windows begin where those before them end if that halves their costs; whether some do.
+
+        The start of a window may be caught where no small step makes it better, as in a joint that sticks.
+        """
+        found = False
+        for log, group in enumerate(self.problem.groups):
+            if len(group.states):
+                now = self._costs(group, at.shift[log], at.differences[log], at.noise)
+                other = group.continued(self.problem, at.sought, at.shift[log])
+                found |= self._take(log, at, np.arange(len(now)), other, now, 1 / WORSE[0])
+        at.cost = self._cost(at.sought, at.shift, at.differences, at.noise)
+        return found
+
+    def _take(
+        self, log: int, there: Estimate, windows: np.ndarray, other: np.ndarray, now: np.ndarray, share: float = 1.0
+    ) -> bool:
+        """Take `other` starts (windows, states) of windows of a log where their costs are less than a share of `now`.
+
+        In place; whether some are.
+        """
+        group = self.problem.groups[log]
+        found = group.differences(self.problem, windows, np.tile(there.sought, (len(windows), 1)), other)
+        better = (own := self._costs(group, other, found, there.noise)) < share * now[windows]
+        chosen = windows[better]
+        there.shift[log][chosen], there.differences[log][chosen] = other[better], found[better]
+        now[chosen] = own[better]
+        return bool(better.any())
 
     def at(self, sought: np.ndarray, shift: list[np.ndarray], noise: np.ndarray) -> Estimate:
         """The estimate with these numbers and starts."""
@@ -204,13 +276,16 @@ class Fit:
         self, sought: np.ndarray, shift: list[np.ndarray], differences: list[np.ndarray], noise: np.ndarray
     ) -> float:
         total = np.sum(((sought - self.priors[:, 0]) / self.priors[:, 1]) ** 2)
-        total += sum(np.sum(own**2) for own in shift)
-        for group, part in zip(self.problem.groups, differences, strict=True):
-            if np.isinf(part).any():
-                return np.inf
-            r = np.abs(np.nan_to_num(part / noise[self.problem.own(group)]))
-            total += np.sum(np.where(r > HUBER, HUBER * (2 * r - HUBER), r**2) if self.robust else r**2)
+        for group, own, part in zip(self.problem.groups, shift, differences, strict=True):
+            total += 2 * np.sum(self._costs(group, own, part, noise))
         return float(total) / 2
+
+    def _costs(self, group: MeasuredCases, shift: np.ndarray, found: np.ndarray, noise: np.ndarray) -> np.ndarray:
+        """The costs (cases,) of cases of a group with these starts (cases, states) and differences."""
+        r = np.abs(found / noise[self.problem.own(group)])
+        r[np.isnan(r)] = 0.0
+        own = np.where(r > HUBER, HUBER * (2 * r - HUBER), r**2) if self.robust else r**2
+        return (np.sum(own, axis=(1, 2)) + np.sum(shift**2, axis=1)) / 2
 
     def weights(self, difference: np.ndarray, noise: np.ndarray) -> np.ndarray:
         """The factors of rows of residuals: 0 where there is no reading, less than one where a robust fit doubts it."""

@@ -13,7 +13,8 @@ import numpy as np
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.columns import UNITS, Columns
-from ..studies.equilibrium import NoEquilibriumError, rest_of
+from ..studies.equilibrium import rest_beside, rest_of
+from ..studies.no_equilibrium import NoEquilibriumError
 from ..studies.stiffness import stiffness
 from .identification import Explained
 from .logs import Log
@@ -102,50 +103,83 @@ class StaticShapes:
             q[self.model.q_names.index(name)] = at * UNITS[column.unit]
         return q
 
-    def rest(self, case: int, p: np.ndarray, tau: np.ndarray) -> np.ndarray:
-        """The coordinates (nq,) at rest of a case; raises NoEquilibriumError."""
+    def rest(self, case: int, p: np.ndarray, tau: np.ndarray) -> tuple:
+        """What :func:`..studies.equilibrium.rest_of` finds of a case; raises NoEquilibriumError."""
         near = self.near_by.get(case, self._given(case))
-        found = rest_of(self.model, near, tau, None, tuple(self.held), p)[1].q
-        self.near_by[case] = found
+        found = rest_of(self.model, near, tau, None, tuple(self.held), p)
+        self.near_by[case] = found[1].q
         return found
+
+    def beside(self, case: int, found: tuple, p: np.ndarray, tau: np.ndarray) -> np.ndarray:
+        """The coordinates (nq,) at rest of a case whose numbers are a step of differences off those of a rest found."""
+        if self.model.chain.n_added:
+            return np.asarray(rest_of(self.model, found[1].q, tau, None, tuple(self.held), p)[1].q)
+        statics, b, held, wanted, _ = found
+        return rest_beside(statics, b, held, wanted, tau, p)
+
+    def loads(self, problem: Problem, window: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Parameters (lanes, n) and inputs (lanes, n_tau) of lanes of cases, with numbers (lanes, k)."""
+        tau = np.zeros((len(window), self.model.n_tau))
+        for column in self.columns.inputs:
+            gain, bias = input_numbers(problem.unknowns, column, values)
+            own = self.log.columns[column.name][window]
+            tau[:, self.model.tau_names.index(str(column.drives))] += gain * (own + bias)
+        return parameter_rows(self.model, problem.unknowns, values), tau
+
+    def rests(self, window: np.ndarray, p: np.ndarray, tau: np.ndarray) -> list[tuple | None]:
+        """Of lanes of cases what :meth:`rest` finds, None without a rest."""
+        out: list[tuple | None] = []
+        for case, own, load in zip(window, p, tau, strict=True):
+            try:
+                out.append(self.rest(int(case), own, load))
+            except NoEquilibriumError:
+                out.append(None)
+        return out
 
     def read(self, problem: Problem, window: np.ndarray, values: np.ndarray) -> np.ndarray:
         """What the model reads (lanes, 1, sensors) in lanes of cases, with numbers (lanes, k); inf without a rest."""
-        inputs = [self.log.columns[column.name][window] for column in self.columns.inputs]
-        tau = np.zeros((len(window), self.model.n_tau))
-        for column, own in zip(self.columns.inputs, inputs, strict=True):
-            gain, bias = input_numbers(problem.unknowns, column, values)
-            tau[:, self.model.tau_names.index(str(column.drives))] += gain * (own + bias)
-        p = parameter_rows(self.model, problem.unknowns, values)
-        q, there = np.tile(self.model.chain.home, (len(window), 1)).astype(float), np.ones(len(window), bool)
-        for lane, case in enumerate(window):
-            try:
-                q[lane] = self.rest(int(case), p[lane], tau[lane])
-            except NoEquilibriumError:
-                there[lane] = False
-        still = np.zeros((len(window), 1, self.model.chain.nvz))
-        out = self.signals(q[:, None], still, tau[:, None], p, self.chosen)
+        p, tau = self.loads(problem, window, values)
+        found = self.rests(window, p, tau)
+        q = np.array([self.model.chain.home if x is None else x[1].q for x in found])
+        out = self.readings(problem, values, q, p, tau)
+        out[[x is None for x in found]] = np.inf
+        return out
+
+    def readings(
+        self, problem: Problem, values: np.ndarray, q: np.ndarray, p: np.ndarray, tau: np.ndarray
+    ) -> np.ndarray:
+        """What sensors read (lanes, 1, sensors) of robots at rest at `q` (lanes, nq)."""
+        still = np.zeros((len(q), 1, self.model.chain.nvz))
+        out = self.signals(q[:, None].astype(float), still, tau[:, None], p, self.chosen)
         for k, sensor in enumerate(self.chosen):
             numbers = sensor_numbers(problem.unknowns, self.columns.sensors[sensor], values)
             out[..., k] = numbers["scale"][:, None] * out[..., k] + numbers["offset"][:, None]
-        out[~there] = np.inf
         return out
 
     def differences(self, problem: Problem, window: np.ndarray, sought: np.ndarray, shift: np.ndarray) -> np.ndarray:
         made = self.read(problem, window, problem.unknowns.values(sought))
         return np.where(np.isinf(made), np.inf, self.compared[window] - made)
 
+    def continued(self, problem: Problem, sought: np.ndarray, shift: np.ndarray) -> np.ndarray:
+        return shift
+
     def linearised(
         self, problem: Problem, sought: np.ndarray, shift: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         window, k = np.arange(len(self.compared)), len(sought)
-        lanes = [np.tile(x, (len(window), 1)) for x in sought + np.vstack([np.zeros(k), STEP * np.eye(k)])]
-        made = [self.read(problem, window, problem.unknowns.values(x)) for x in lanes]
-        if (lost := np.flatnonzero(np.isinf(made[0]).any(axis=(1, 2)))).size:
+        begin = problem.unknowns.values(np.tile(sought, (len(window), 1)))
+        found = self.rests(window, *self.loads(problem, window, begin))
+        if None in found:
             said = "with the numbers that the fit starts from the model finds no rest; start from other numbers"
-            raise UsageError(f"{self.log.name}: row {lost[0] + 1}: {said}")
-        by_p = np.stack([(made[0] - x) / STEP for x in made[1:]], axis=-1)
-        return self.compared - made[0], np.nan_to_num(by_p, posinf=0.0, neginf=0.0), np.zeros((*made[0].shape, 0))
+            raise UsageError(f"{self.log.name}: row {found.index(None) + 1}: {said}")
+        lanes = np.repeat(sought + np.vstack([np.zeros(k), STEP * np.eye(k)]), len(window), axis=0)
+        values, cases = problem.unknowns.values(lanes), np.tile(window, 1 + k)
+        p, tau = self.loads(problem, cases, values)
+        q = [one[1].q for one in found if one is not None]
+        q += [self.beside(c, found[c], p[lane], tau[lane]) for lane, c in enumerate(cases) if lane >= len(window)]
+        made = self.readings(problem, values, np.array(q), p, tau).reshape(1 + k, *self.compared.shape)
+        by_p = np.moveaxis((made[0] - made[1:]) / STEP, 0, -1)
+        return self.compared - made[0], by_p, np.zeros((*made[0].shape, 0))
 
 
 def _quantity(one: SensorSignal) -> str:

@@ -86,6 +86,9 @@ class TestedVibrations:
         made = np.array([self.read(row) for row in rows])[lane.ravel(), window][:, None, : self.quantities]
         return np.where(np.isinf(made), np.inf, self.compared[window] - np.log(np.maximum(made, 1e-300)))
 
+    def continued(self, problem: Problem, sought: np.ndarray, shift: np.ndarray) -> np.ndarray:
+        return shift
+
     def linearised(
         self, problem: Problem, sought: np.ndarray, shift: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

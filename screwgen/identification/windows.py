@@ -6,7 +6,7 @@ numbers of the robot are still wrong; so windows begin where smoothed readings s
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -18,6 +18,7 @@ from ..spec.columns import UNITS, Columns
 from ..topology.chain import Chain
 from . import smoothing
 from .logs import Log
+from .loop_states import closed, closed_near, independent
 from .signals import SensorSignal, Signals
 
 WIDE = 3.0
@@ -86,6 +87,15 @@ class Experiment:
             out[joint] = smoothing.motion(values, self.log.step, self.reach)
         return out
 
+    @cached_property
+    def stated(self) -> np.ndarray:
+        """(n_joints,) of bool: the joints from which others follow in loops: those that the log moves, or measures."""
+        chain = self.model.chain
+        names = self.model.q_names[chain.base_q : chain.base_q + chain.n_joints]
+        measured = {column.measures for column in self.columns.sensors}
+        moved = {at - chain.base_v for _, at, _ in self.moved.values()}
+        return np.array([k in moved if moved else name in measured for k, name in enumerate(names)], bool)
+
     @property
     def compared(self) -> list[int]:
         """The sensors whose readings are compared: those that move axes are not."""
@@ -122,7 +132,9 @@ class StartState:
     x: np.ndarray
     """[q; v]"""
     deviation: np.ndarray
-    """Of each change, 0 of those that are given."""
+    """Of each change, 0 of those that are given, or that follow from others where loops are closed."""
+    follow: np.ndarray = field(default_factory=lambda: np.zeros(0, int))
+    """The coordinates that follow from others."""
 
 
 def changed(chain: Chain, x: np.ndarray, change: np.ndarray) -> np.ndarray:
@@ -172,7 +184,9 @@ def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray) 
         x[at_q], x[model.nq + at_v] = (curve[first] for curve in experiment.given[joint])
         held[[at_v, nv + at_v]] = True
     (middle, _), likely = _at_rest(model, p), _likely(chain, p, wide)
-    free = np.flatnonzero(~held)
+    free, kept = np.flatnonzero(~held), experiment.stated
+    if chain.closing.rows:
+        x = closed_near(model, x, p, kept, experiment.log.name)
     by_q = [not _needs_rates(signals.signals[k]) for k in plain]
     for _ in range(ROUNDS):
         h, H = _slopes(signals, x, p, plain)
@@ -184,13 +198,19 @@ def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray) 
         rates = by_rate[:, nv : 2 * nv] @ x[n : n + nv]
         rows += [(rate[moving] - rates) / of_rate[moving], (likely @ change_between(chain, x, middle))[free]]
         slopes += [by_rate / of_rate[moving, None], likely[free]]
-        A, b = np.vstack(slopes)[:, free], np.concatenate(rows)
-        step_of_all = np.zeros(len(wide))
-        step_of_all[free] = np.linalg.lstsq(A, b, rcond=None)[0]
-        x = changed(chain, x, step_of_all)
+        places, T = independent(model, x, p, kept)
+        own = ~held[places]
+        A, b = np.vstack(slopes) @ T[:, own], np.concatenate(rows)
+        x = changed(chain, x, T[:, own] @ np.linalg.lstsq(A, b, rcond=None)[0])
+        follow = np.setdiff1d(np.arange(nv), places)
+        if follow.size:
+            if held[follow].any():
+                said = "moves an axis that loops move; leave the axis free, or that column out"
+                raise UsageError(f"{experiment.log.name}: {model.v_names[follow[held[follow]][0]]}: the log {said}")
+            x = closed(model, x, p, follow)
     deviation = np.zeros(len(wide))
-    deviation[free] = np.sqrt(np.diag(np.linalg.inv(A.T @ A)))
-    return StartState(x, deviation)
+    deviation[places[own]] = np.sqrt(np.diag(np.linalg.inv(A.T @ A)))
+    return StartState(x, deviation, follow)
 
 
 def _likely(chain: Chain, p: np.ndarray, wide: np.ndarray) -> np.ndarray:
@@ -212,8 +232,6 @@ def _at_rest(model: RobotModel, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     chain = model.chain
     if chain.moving:
         raise UsageError("identify: robots whose base moves as is given are not identified yet; leave the base fixed")
-    if chain.closing.rows:
-        raise UsageError("identify: robots with loops are not identified yet")
     wide, rates = np.full(model.nv, FAR), np.full(chain.nvz, SLIPPED)
     rates[: model.nv] = QUICK * FAR
     for i, (segment, constants) in enumerate(zip(chain.segments, model.numpy(p).constants, strict=True)):

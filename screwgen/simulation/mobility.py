@@ -98,10 +98,13 @@ def jacobian(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray:
     return np.array(closing(model)(q, np.zeros(model.nv), np.zeros(len(model.chain.closing.rows)), p)[1])
 
 
-def motions(model: RobotModel, q: np.ndarray, v: np.ndarray, p: Numbers) -> tuple[np.ndarray, np.ndarray]:
+def motions(
+    model: RobotModel, q: np.ndarray, v: np.ndarray, p: Numbers, kept: Numbers | None = None
+) -> tuple[np.ndarray, np.ndarray]:
     """The numbers (d,) of independent coordinates, and T (2 nv, 2 d): all changes [δ; δv] by those of these.
 
-    Where `J δv + (∂(J v)/∂δ) δ = 0` rates change with the posture, as loops make them.
+    Where `J δv + (∂(J v)/∂δ) δ = 0` rates change with the posture, as loops make them. `kept` (n_joints,) of bool:
+    joints that depend on others only where these do not suffice.
     """
     chain = model.chain
     if not chain.closing.rows:
@@ -109,7 +112,7 @@ def motions(model: RobotModel, q: np.ndarray, v: np.ndarray, p: Numbers) -> tupl
     _, J, J_v, *_ = (np.array(x) for x in closing(model)(q, v, np.zeros(len(chain.closing.rows)), p))
     check_closed(model.numpy(p), "q", q)
     check_staying_closed(chain, "v", J @ v[: chain.nv])
-    own, D, N = mobility(J, by_effort(chain))
+    own, D, N = mobility(J, by_effort(chain, kept))
     turned = np.zeros_like(N)
     turned[D] = -np.linalg.lstsq(J[:, D], J_v @ N)[0]
     return own, np.block([[N, np.zeros_like(N)], [turned, N]])

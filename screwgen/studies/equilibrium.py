@@ -25,8 +25,9 @@ from ..spec.robot import Robot
 from .equilibrium_of_floating_bases import floating_equilibrium
 from .held_joints import Asked, Hold, asked, efforts_beside, refuse_followers
 from .linear import checked
+from .no_equilibrium import NoEquilibriumError
 from .standing import StandingBase
-from .statics import Balance, NoEquilibriumError, Statics, search
+from .statics import Balance, Statics, newton_step, search
 from .statics_with_loops import StaticsWithLoops
 from .steady import wound
 from .stiffness import stiffness
@@ -166,6 +167,18 @@ def rest_of(
     values = model.chain.fallen(values, torques)
     w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
     return *rest(model, values, torques, w_ext, held, start), held, wanted, stated
+
+
+def rest_beside(at: Statics, b: Balance, held: np.ndarray, wanted: Asked, tau: Numbers, p: np.ndarray) -> np.ndarray:
+    """The coordinates (nq,) at rest beside one that :func:`rest_of` found, with other inputs and parameters.
+
+    These are so near that one step of Newton's leads there. Of robots without elastic gears.
+    """
+    model = at.model
+    torques = efforts_beside(model, tau, held, wanted.at_all)
+    other = _statics(model, model.chain.fallen(p, torques), torques, at.w_ext, held)
+    there = other.at(b.q)
+    return other.displaced(there, newton_step(other, there))
 
 
 def _refuse_brakes(model: RobotModel, tau: np.ndarray, held: np.ndarray) -> None:

@@ -13,7 +13,7 @@ from ..robot_model import RobotModel
 from ..spec.base import FIXED
 from .held_joints import Hold
 from .linear import checked, whole
-from .statics import NoEquilibriumError
+from .no_equilibrium import NoEquilibriumError
 
 if TYPE_CHECKING:
     from .equilibrium import Equilibrium

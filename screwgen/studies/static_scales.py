@@ -21,9 +21,6 @@ from ..topology.chain import Chain
 from ..topology.tree import BASE
 from .stiffness import stiffness, stiffness_matrix
 
-KEPT = 16
-"""Parameters of a robot for which is kept what its coordinates carry."""
-
 
 class Carried(NamedTuple):
     """What every coordinate of a robot carries."""
@@ -40,12 +37,8 @@ class Carried(NamedTuple):
 
 def carried(model: RobotModel, p: np.ndarray, reach: np.ndarray) -> Carried:
     """What coordinates carry where all are zero; `reach` (nq,): the change of each that is a turn of about 1 rad."""
-    kept, key = model.once("carried", dict[bytes, tuple[np.ndarray, np.ndarray]]), p[3:].tobytes()
-    if key not in kept:  # a fit asks for many rests of a few robots
-        if len(kept) >= KEPT:
-            kept.clear()
-        kept[key] = _masses(model, p)
-    return Carried(*kept[key], 1 / reach, _behind(model.chain)[_links(model.chain)])
+    mass, lever = model.once_for("carried", p[3:], lambda: _masses(model, p))
+    return Carried(mass, lever, 1 / reach, _behind(model.chain)[_links(model.chain)])
 
 
 def _masses(model: RobotModel, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -9,10 +9,11 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from ..algorithms.travels import travels
-from ..errors import SingularError, UsageError
+from ..errors import SingularError
 from ..robot_model import RobotModel
 from ..spec.link_class import EXACT
 from ..spec.reduced import reach, sizes
+from .no_equilibrium import overbent, unbalanced
 from .static_scales import carried, largest_loads, step_units, turns
 from .stiffness import from_travels, stiffness
 
@@ -27,13 +28,7 @@ NEUTRAL = 1e-10
 """Scaled stiffness of a direction along which no step is made where forces are all but balanced."""
 PARTS = np.linspace(0.1, 1.0, 10)
 """Of a load that grows."""
-
-
 NONE = np.zeros(0)
-
-
-class NoEquilibriumError(UsageError):
-    """Torques that no posture balances; the text names the joint."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,9 +175,13 @@ class Statics:
 
     def moved(self, b: Balance, step: np.ndarray) -> Balance:
         """The balance after `step` (d,) from `b`."""
+        return self.at(self.displaced(b, step))
+
+    def displaced(self, b: Balance, step: np.ndarray) -> np.ndarray:
+        """The posture (nq,) after `step` (d,) from `b`."""
         there = b.q.copy()
         there[self.moving] += self.directions(b) @ step / self.units[self.moving]
-        return self.at(self.near(there))
+        return self.near(there)
 
     def near(self, q: np.ndarray) -> np.ndarray:
         """The posture next to `q` (nq,) that the robot can take."""
@@ -311,38 +310,19 @@ def least(statics: Statics, q: np.ndarray) -> Balance:
 
 def polished(statics: Statics, b: Balance) -> Balance:
     """Newton steps while they help, along directions with stiffness alone."""
-    while b.residual > 0 and len((found := statics.scaled(b))[0]):
-        force, K = found
-        left, sizes, right = np.linalg.svd(K)
-        resisted = sizes > NEUTRAL * max(1.0, sizes[0])
-        there = within_reach(statics, b, -right[resisted].T @ (left[:, resisted].T @ force / sizes[resisted]))
+    while b.residual > 0 and b.moving.size:
+        there = within_reach(statics, b, newton_step(statics, b))
         if there is None or not there.residual < 0.9 * b.residual:
             break
         b = there
     return b
 
 
-def overbent(statics: Statics, b: Balance) -> NoEquilibriumError:
-    """The error that names the link which its load bends by its own length."""
-    m = statics.model.chain.eta_q
-    k = m + int(np.argmax(np.abs(b.q / statics.reach)[m:]))
-    return NoEquilibriumError(
-        f"{statics.model.q_names[k]}: the search leaves what a model of small deflections can say, bending the link by "
-        "its own length; stiffen the link, take load off it, or hold the joints elsewhere"
-    )
-
-
-def unbalanced(statics: Statics, b: Balance, start: np.ndarray) -> NoEquilibriumError:
-    """The error that names the joint which turned and turned, or else has the largest unbalanced share."""
-    away = statics.wandered(b.q - start)
-    k = int(away[0]) if away.size else int(np.argmax(b.shares))
-    joint = k < statics.model.chain.eta_q
-    travel = statics.model.chain.travels.get(k) if k < statics.model.n_joints else None
-    kind, unit = ("torque", "N·m") if statics.turning[k] else ("force", "N")
-    kind, unit = (travel.EFFORT_NAME, travel.EFFORT_UNIT) if travel else (kind, unit)
-    what = f"its {kind} of {statics.load[k]:.6g} {unit}" if joint and statics.load[k] else "its load"
-    what += ", with the wrenches on the tips" if statics.w_ext.any() else ""
-    return NoEquilibriumError(
-        f"{statics.model.q_names[k]}: no posture found balances {what}; "
-        "give loads that weight and springs can balance, start elsewhere, or hold the joints"
-    )
+def newton_step(statics: Statics, b: Balance) -> np.ndarray:
+    """The step (d,) of Newton's from `b`, along directions with stiffness alone."""
+    force, K = statics.scaled(b)
+    if not len(force):
+        return force
+    left, sizes, right = np.linalg.svd(K)
+    resisted = sizes > NEUTRAL * max(1.0, sizes[0])
+    return np.asarray(-right[resisted].T @ (left[:, resisted].T @ force / sizes[resisted]))

@@ -18,7 +18,12 @@ def stiffness(model: RobotModel, p: Numbers | None = None) -> np.ndarray:
 
     A floating base, whose six entries come first, has none.
     """
-    values = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
+    given = np.array(model.parameter_values if p is None else p, float)
+    return model.once_for("stiffness", given, lambda: _stiffness(model, given)).copy()
+
+
+def _stiffness(model: RobotModel, p: np.ndarray) -> np.ndarray:
+    values = dict(zip(model.parameter_names, p, strict=True))
     springs = [
         values.get(f"{link.name}.joint.stiffness[{j}]", 0.0)
         for link in model.robot.links

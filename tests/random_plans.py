@@ -21,8 +21,6 @@ from screwgen.planning.scheduled_shaper import ScheduledShaper
 LIMITS = {"efforts": ("efforts",), "rates": ("rates",), "joint ranges": ("lower", "upper")}
 """By what a refusal calls them."""
 STEP = 2.5e-4
-FINE = 120
-"""Intervals that reach faster modes: torques of few ones shake these, and the law needs more than is left for it."""
 
 
 class Planned(NamedTuple):
@@ -142,11 +140,11 @@ class Asked(NamedTuple):
             kept["efforts"] = np.where(idle, 0.0, np.inf)
         return self._replace(limits=kept)
 
-    def plan(self, **ways) -> screwgen.MotionPlan:
+    def plan(self) -> screwgen.MotionPlan:
         planned = planned_of(self.robot)
         law = screwgen.PD(planned.kp, planned.kd, tuple(0.0 for _ in planned.kp))
         limits = {key: x for key, x in self.limits.items() if np.isfinite(x).any()}
-        return screwgen.plan(planned.model, self.start, self.goal, self.time, gains=law, limits=limits, **ways)
+        return screwgen.plan(planned.model, self.start, self.goal, self.time, gains=law, limits=limits)
 
 
 def drawn(seed: int, name: str = "") -> Asked:
@@ -205,8 +203,6 @@ def outcome(asked: Asked) -> Outcome:
             return Outcome("failed", f"{said} | {again}", 0, took)
         return Outcome("refused", said, 0, took)
     wrong, words = faults(asked, plan)
-    if "saturated" in wrong:
-        wrong, words = faults(asked, asked.plan(intervals=FINE))
     return Outcome("failed" if wrong else "found", f"{words} {wrong}", plan.said["iterations"], plan.said["seconds"])
 
 

@@ -1,11 +1,14 @@
 """Plans of motions that end at rest: judged by bang-bang's closed form, by the arm itself, by what forbids them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from helpers import arm, example, link, loaded_boom, model_of
 
 import screwgen
 from screwgen import UsageError
+from screwgen.planning.followed import efforts_with_law
 from screwgen.simulation.played import PlanWarning, Played, read_played
 
 ROTOR, LOAD, EI, LENGTH = 0.4, 1.0, 40.0, 1.0
@@ -61,6 +64,25 @@ def test_limits_hold_between_the_points_of_a_plan():
     plan = screwgen.plan(model, [0.0], [1.0], 0.9, gains=LAW, intervals=12, limits={"rates": [most]})
     assert np.abs(plan.v).max() == pytest.approx(most, rel=1e-3)
     assert np.abs(plan.reference(t)[1]).max() <= (1 + 2e-4) * most
+
+
+def test_a_plan_of_few_intervals_leaves_the_law_what_it_takes(monkeypatch):
+    """Twelve intervals do not resolve the second mode; what the law then gives besides is that of a run."""
+    model, law, said = model_of(loaded_boom({"rhoA": 0.6})), screwgen.PD((60.0,), (12.0,), (0.0,)), []
+    asked = {"gains": law, "limits": {"efforts": [8.5]}, "intervals": 12}
+    plan = screwgen.plan(model, [0.0], [1.0], 1.0, **asked)
+    arrived = screwgen.play(model, plan, step=2.5e-4)
+    assert arrived.saturated == 0 and 8.4 < arrived.effort[0] < 8.5 and plan.effort[0] < 0.96 * 8.5
+
+    def only_said(task, member, found, search):
+        said.append(efforts_with_law(task, member, found))
+        return found
+
+    monkeypatch.setattr("screwgen.planning.make.within_efforts", only_said)
+    tight = screwgen.plan(model, [0.0], [1.0], 1.0, **asked)
+    assert screwgen.play(model, tight, step=2.5e-4).saturated > 50
+    free = screwgen.play(model, replace(tight, tau_max=np.array([np.inf])), step=2.5e-4)
+    assert said[0] == pytest.approx(free.effort, rel=3e-3) and said[0] > 8.5
 
 
 def smooth(plan):

@@ -16,6 +16,7 @@ from ..spec.dry_friction import with_spread_friction
 from ..spec.plan import INTERVALS, LARGEST, LEAST, SHORTEST
 from .bumps import FINER
 from .bumps import fast as fast_found
+from .followed import within_efforts
 from .limits import HEADROOM, motion_limits
 from .members import PlannedModel, Still, member
 from .plan import MotionPlan
@@ -90,6 +91,7 @@ def plan(
         found = search(task, None)
         if not found.sound:
             raise no_plan(task, model, own, search)
+        found = within_efforts(task, _members(task, calm, ())[0], found, search)
     else:
         task, found = shortest(task, model, own, search)
     if calm is not own and not fast:

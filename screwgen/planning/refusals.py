@@ -127,9 +127,11 @@ def _stated(limits: MotionLimits) -> list[str]:
 
 
 def without(task: Task, groups: list[str]) -> Task:
-    """The task with some limits left out."""
+    """The task with some limits left out; joints that no drive moves, whose effort is 0, do not get one."""
     keys = [key for name in groups for key in GROUPS[name]]
     free = {key: np.full_like(getattr(task.limits, key), -np.inf if key == "lower" else np.inf) for key in keys}
+    if "efforts" in free:
+        free["efforts"][task.limits.efforts == 0] = 0.0
     return replace(task, limits=replace(task.limits, **free))
 
 

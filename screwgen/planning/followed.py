@@ -1,0 +1,71 @@
+"""The efforts of a plan with those that the joint law adds: the arm's own motion under both, on a finer grid.
+
+A search meets the equations of motion by the rule of its intervals. What moves faster than these goes otherwise in
+between, and joints that it pushes off their references are brought back by the law, whose efforts come beside.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from .between import Curve
+from .bumps import CLOSE, Responding
+from .limits import HEADROOM
+from .members import PlannedModel
+from .solve import Found
+from .task import Task
+
+FINER, STEPS = 5, 6
+"""Intervals in one of the search, and steps of Newton's method."""
+ROUNDS, FURTHER = 4, 1.1
+"""How often efforts are looked at, and by how much more than they pass their limits these are tightened."""
+SPARE = 0.003
+"""The share of a limit that is left for what the finer grid lacks."""
+
+
+def efforts_with_law(task: Task, member: PlannedModel, found: Found) -> np.ndarray:
+    """(n_joints,): the largest efforts, of either sign, of drives that play what was found for a model."""
+    m, fine = len(task.start), replace(task, intervals=FINER * task.intervals)
+    motion, torques = found.motions[0], found.torques_at_points
+    stretches = motion.q.shape[1] - 1
+    at = np.linspace(0.0, stretches, 2 * fine.intervals + 1)
+    k = np.minimum(at.astype(int), stretches - 1)
+    q, v = Curve(motion.q, motion.v, motion.a, task.time / stretches).at(k, at - k)
+    a, tau = (np.array([np.interp(at, np.arange(stretches + 1), row) for row in x]) for x in (motion.a, torques))
+    told, moved = np.stack([q[:m], v[:m], tau]), np.stack([q, v, a])
+    responding = Responding(fine, member, given=False)
+    for _ in range(STEPS):
+        followed = responding.follow(moved, told, np.zeros((*told.shape, 0)))
+        moved = followed.motion
+        if followed.off <= CLOSE:
+            break
+    lag = told[:2] - moved[:2, :m]
+    return np.abs(tau + task.law.kp[:, None] * lag[0] + task.law.kd[:, None] * lag[1]).max(axis=1)
+
+
+def within_efforts(
+    task: Task, member: PlannedModel, found: Found, search: Callable[[Task, Found | None], Found]
+) -> Found:
+    """What was found, or a plan with tighter limits that leaves the law what it takes; that which does so most."""
+    most = task.limits.efforts / HEADROOM
+    limited = np.isfinite(most) & (most > 0)
+    if not (limited & (task.law.kp > 0)).any():
+        return found
+    best, least = found, np.inf
+    for _ in range(ROUNDS):
+        excess = np.where(limited, efforts_with_law(task, member, found), 0.0)[limited] - (1.0 - SPARE) * most[limited]
+        if (worst := float((excess / most[limited]).max())) < least:
+            best, least = found, worst
+        if worst <= 0:
+            break
+        efforts = task.limits.efforts.copy()
+        efforts[limited] -= FURTHER * np.maximum(excess, 0.0)
+        task = replace(task, limits=replace(task.limits, efforts=efforts))
+        again = search(task, found)
+        if not again.sound:
+            break
+        found = replace(again, iterations=again.iterations + found.iterations)
+    return best

@@ -202,6 +202,18 @@ def test_what_a_curved_rod_carries_sits_on_its_curve():
     assert np.abs(turn - wanted[0]).max() < 1e-4 and np.abs(place - wanted[1]).max() < 1e-4
 
 
+def test_a_curved_rod_that_can_only_stretch_turns_what_it_carries():
+    """No mode turns its sections, the shape at rest does: a quarter of a circle, twisted by 0.3 rad before its end."""
+    wire = {**link("wire", QUARTER, ["z"], section=UNIT | {"EA": 50.0}, rest={"bending_y": 1.0}), "modes": {"axial": 1}}
+    twisted = {**link("twisted", 0.6, [], section=UNIT | {"EA": 50.0}, rest={"torsion": 0.5}), "modes": {"axial": 1}}
+    model = model_of(arm(wire, twisted, gravity=NONE, order="exact"))
+    R, r = model.numpy().tip_pose([0.0] * model.nq)
+    assert np.abs(R - Rotation.from_euler("ZX", [QUARTER, 0.3]).as_matrix()).max() < 1e-14
+    assert np.abs(r - [1.0, 1.6, 0.0]).max() < 1e-7  # of the Gauss points
+    spin, _ = model.numpy().tip_pose([0.4] + [0.0] * (model.nq - 1))
+    assert np.abs(spin - Rotation.from_euler("z", 0.4).as_matrix() @ R).max() < 1e-14
+
+
 @pytest.mark.parametrize(
     "does, said",
     [

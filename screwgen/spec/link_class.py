@@ -322,7 +322,7 @@ def link_class(
         elastic=body,
         spin=stated("rhoIp"),
         damping=damped(link) if any(counts) or body is not None else (),
-        section_rotation=section_rotation and (any(counts[1:4]) or body is not None),
+        section_rotation=section_rotation and (any(counts[1:4]) or body is not None or link.rest is not None),
         bodies=tuple(bodies) if any(bodies) else (),
         order=1 + body.geometric if body else (link.order or order) if any(counts) else 1,
         points=gauss_points(link) if (link.order or order) == EXACT else 0,

@@ -2,6 +2,9 @@
 
 import numpy as np
 import pytest
+from conformance import planned
+from conformance.cases import case_of
+from conformance.features import FACTORS
 from test_planning import LAW, ella, one_mode, smooth
 
 import screwgen
@@ -95,3 +98,10 @@ def test_fast_plans_of_ella_leave_an_exact_arm_at_rest():
         screwgen.play(plant, robust, parameters={"forearm.bodies[0].mass": f * own}).residual <= 3e-3
         for f in (0.7, 1.3)
     )
+
+
+def test_steps_that_go_too_far_are_shortened():
+    """Three axes at a joint and dry friction behind it: whole steps of the search never ended there."""
+    row = {**{factor: next(iter(levels)) for factor, levels in FACTORS.items()}, "turn": "three axes"}
+    row |= {"order": "second order", "modes": "frequencies", "damping": "time", "friction": "friction", "more": "frame"}
+    planned.plan(case_of(tuple(row.items()), 26))

@@ -24,8 +24,13 @@ COUNT = 16
 """Polynomials of each joint: more of them bear more modes, and bend the torques more."""
 FINER = 4
 """Steps in an interval of the search with limits: torques are told at their ends and middles."""
-MOST, SETTLED = 12, 1e-6
+MOST, SETTLED = 40, 1e-6
 """Iterations that change coefficients, and the largest change of a coordinate at which these are good enough."""
+SHORTER, LONGER, ENOUGH = 0.25, 1.5, 0.99
+"""Of a step that raised the cost what is tried next, and of one that did not; of the cost what counts as no less then.
+
+Where joints turn back friction changes with the rate, of which slopes know nothing: whole steps go too far there.
+"""
 HELD, CLOSE = 8, 1e-9
 """Further ones, which only balance forces, and the largest unbalanced one, by the size of torques, at their end.
 
@@ -196,8 +201,9 @@ class LeastSquares:
         others = zip(self.models[1:], motions[1:], strict=True)
         return [first, *(model.follow(motion, told, by_c) for model, motion in others)]
 
-    def equations(self, found: Sequence[FollowedMotion]) -> tuple[np.ndarray, np.ndarray, float]:
-        """Values whose squares are the cost, their slopes by coefficients, the energy that the first model keeps."""
+    def about(self, motions: Sequence[np.ndarray], c: np.ndarray) -> Linear:
+        """Values whose squares are the cost, and their slopes, about motions of coefficients (n_joints, K)."""
+        found = self.follow(motions, c)
         size, weight = np.sqrt(self.points - 1) / self.task.force_scale, np.sqrt(self.task.weight)
         values = [size * np.diff(found[0].torques, axis=1).ravel()]
         slopes = [size * np.diff(found[0].torques_by_c, axis=1).reshape(values[0].size, -1)]
@@ -206,7 +212,38 @@ class LeastSquares:
             end = np.append(response.motion[0, :, -1] - x.goal.q, response.motion[1, :, -1])
             left.append(root @ end)
             slopes.append(weight * root @ np.vstack([response.by_c[0, :, -1], response.by_c[1, :, -1]]))
-        return np.concatenate([*values, *(weight * x for x in left)]), np.vstack(slopes), float(left[0] @ left[0])
+        values += [weight * x for x in left]
+        return Linear(c, found, np.concatenate(values), np.vstack(slopes), float(left[0] @ left[0]))
+
+
+@dataclass
+class Linear:
+    """The least squares about the motions of some coefficients `c` (n_joints, K)."""
+
+    c: np.ndarray
+    found: list[FollowedMotion]
+    values: np.ndarray
+    slopes: np.ndarray
+    left: float
+    """The energy that the first model keeps."""
+
+    @property
+    def cost(self) -> float:
+        return float(self.values @ self.values)
+
+    @property
+    def off(self) -> float:
+        """The largest unbalanced force of all models."""
+        return max(x.off for x in self.found)
+
+    def step(self) -> tuple[np.ndarray, float]:
+        """The change of coefficients (n_joints K,) to the least cost, and the most that it changes a coordinate."""
+        step = np.linalg.lstsq(self.slopes, -self.values, rcond=None)[0]
+        return step, max(np.abs(x.by_c[0] @ step).max() for x in self.found)
+
+    def moved(self, step: np.ndarray) -> list[np.ndarray]:
+        """The motions (3, n, points) of all models after a step."""
+        return [x.motion + x.by_c @ step for x in self.found]
 
 
 def fast(task: Task, members: Sequence[PlannedModel], progress: Progress | None = None) -> Found:
@@ -218,25 +255,32 @@ def fast(task: Task, members: Sequence[PlannedModel], progress: Progress | None 
         task = task.stricter()
     squares = LeastSquares(task, members)
     c, motions, torques = squares.none, squares.begin(), np.zeros((len(task.start), squares.points))
-    cost = left = np.inf
+    best, stride, far = None, np.inf, np.inf
     settled, converged, done = False, False, 0
     while done < MOST + HELD and not converged:
-        settled, done = settled or done >= MOST, done + 1
+        moving, settled, done = not settled, settled or done >= MOST, done + 1
         if progress is not None:
             progress(done, MOST + HELD)
-        found = squares.follow(motions, c)
-        value, slopes, left = squares.equations(found)
-        step = np.zeros(c.size) if settled else np.linalg.lstsq(slopes, -value, rcond=None)[0]
-        moved = [x.motion + x.by_c @ step for x in found]
+        now = squares.about(motions, c)
+        if best and moving and not now.cost <= best.cost:
+            stride = SHORTER * min(stride, far)
+        else:
+            if best and np.isfinite(stride) and now.left <= LEFT:
+                settled = settled or now.cost > ENOUGH * best.cost
+            best, stride = now, LONGER * stride
+        step, far = (np.zeros(c.size), 0.0) if settled else best.step()
+        step = step * min(1.0, stride / far) if far else step
+        moved = best.moved(step)
         change = max(np.abs(new - old)[0].max() for new, old in zip(moved, motions, strict=True))
         if not np.isfinite(change):
             break
-        c, motions, cost = c + step.reshape(c.shape), moved, float(value @ value)
-        torques = found[0].torques + found[0].torques_by_c @ step
-        converged = settled and max(x.off for x in found) <= CLOSE
+        c, motions = best.c + step.reshape(c.shape), moved
+        torques = best.found[0].torques + best.found[0].torques_by_c @ step
+        converged = settled and best.off <= CLOSE
         settled = settled or change <= SETTLED
     if progress is not None:
         progress(MOST + HELD, MOST + HELD)
+    cost, left = (best.cost, best.left) if best else (np.inf, np.inf)
     sound = converged and (len(members) > 1 or left <= LEFT)
     return Found([Trajectory(*x) for x in motions], torques, task.time, done, cost, left, sound)
 

@@ -72,8 +72,8 @@ def gains(
     from ..planning.joint_gains import gains as found_gains
     from ..progress import busy
     from ..simulation.runs import outputs
-    from .linear import joint_coordinates
     from .output import load_robot, say, stoppable
+    from .stated_numbers import joint_coordinates
 
     quiet = quiet or context.obj
     models, bounds = [_factors(text) for text in model or []], dict(map(_bound, bound or []))
@@ -107,8 +107,8 @@ def _write_lqg(
     from ..planning.lqg_make import lqg as found_lqg
     from ..progress import busy
     from ..simulation.runs import outputs
-    from .linear import joint_coordinates
     from .output import load_robot, say, stoppable
+    from .stated_numbers import joint_coordinates
 
     at, models, bounds, grid = asked
     if set(bounds) - {"efforts"}:

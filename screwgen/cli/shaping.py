@@ -49,8 +49,8 @@ def shape(
     from ..progress import busy
     from ..simulation.controller_files import read_pd
     from ..simulation.runs import outputs
-    from .linear import joint_coordinates
     from .output import load_robot, say, stoppable
+    from .stated_numbers import joint_coordinates
 
     quiet = quiet or context.obj
     check_destination(output, target, (".toml",), "a shaper")

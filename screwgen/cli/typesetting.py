@@ -18,9 +18,9 @@ from ..simulation.runs import check_output, outputs, suffix
 from ..simulation.state import read_state
 from ..spec.parameters import turning
 from ..spec.robot import Robot
-from .linear import numbers
 from .output import load_robot, notes, say
 from .posture import posture
+from .stated_numbers import numbers
 
 FORMATS: dict[str, Callable[[Document, DocumentStyle, Robot | None, Sequence[float] | None], bytes]] = {
     ".tex": lambda shown, around, *_: latex.tex(shown, around).encode(),

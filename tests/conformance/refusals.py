@@ -37,10 +37,11 @@ REFUSALS: tuple[Refusal, ...] = (
         Refusal("estimator of parameters", (x,), "there is no filter of parameters", "not derived for loops")
         for x in LOOPED
     ),
-    Refusal(
-        *("identification", (), "are not identified yet"),
-        why="starts of windows would leave loops open, and bases that move as is given follow no reading",
-        large=True,
+    Refusal("identification", ("moving",), "are not identified yet", "bases that move as is given follow no reading"),
+    *(
+        Refusal("identification", (x, base), "are identified on a fixed base", "windows close loops of such arms alone")
+        for x in LOOPED
+        for base in ("floating", "afloat")
     ),
     Refusal("C, fused", (), "would be one function of", "compilers take long over one function so large", large=True),
     *(

@@ -1,0 +1,44 @@
+"""Numbers that stand in options: `0.1,-0.2`, by commas or blanks."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+
+from ..errors import UsageError
+from ..model import Model
+from ..simulation.state import refusals
+from ..spec.load import one_line
+from ..spec.parameters import coordinate_units
+from ..spec.ranges import within
+
+TURNS = 4.0 * np.pi
+"""rad: a larger angle in an option is more likely one in degrees."""
+
+
+def joint_coordinates(given: str, model: Model, option: str = "q") -> np.ndarray:
+    """The joint coordinates (n_joints,) in an option; a note names angles that are likely degrees."""
+    what = "joint coordinates" if model.chain.sliding else "joint angles in rad"
+    q = numbers("q", given, model.n_joints, what, option)
+    joints = slice(model.chain.base_q, model.chain.base_q + model.n_joints)
+    units = coordinate_units(model.robot)[joints]
+    for name, unit, x in zip(model.q_names[joints], units, q.tolist(), strict=True):
+        if unit == "rad" and abs(x) > TURNS:
+            said = f"{name} is {x:g} rad, {x / (2 * np.pi):.3g} turns"
+            print(f"screwgen: note: --{option}: {said}; {x:g} degrees are {np.radians(x):.4g}", file=sys.stderr)
+    return q
+
+
+def numbers(quantity: str, given: str, size: int, what: str, option: str = "") -> np.ndarray:
+    """`size` numbers in the range of a quantity out of the option of that name, by commas or blanks."""
+    option, words = f"--{option or quantity}", given.replace(",", " ").split()
+    try:
+        out = np.array([float(word) for word in words])
+    except ValueError:
+        wanted = f"give {size} {what}, as 0.1,-0.2"
+        raise UsageError(f"{option}: '{one_line(given)}' is no list of numbers; {wanted}") from None
+    if len(out) != size or not np.isfinite(out).all():
+        raise UsageError(f"{option}: has {len(out)} numbers; it must have {size} finite {what}, separated by commas")
+    with refusals(option):
+        return np.array([within(quantity)(x) for x in out.tolist()])

@@ -201,7 +201,7 @@ class LeastSquares:
         others = zip(self.models[1:], motions[1:], strict=True)
         return [first, *(model.follow(motion, told, by_c) for model, motion in others)]
 
-    def about(self, motions: Sequence[np.ndarray], c: np.ndarray) -> Linear:
+    def about(self, motions: Sequence[np.ndarray], c: np.ndarray) -> LinearCost:
         """Values whose squares are the cost, and their slopes, about motions of coefficients (n_joints, K)."""
         found = self.follow(motions, c)
         size, weight = np.sqrt(self.points - 1) / self.task.force_scale, np.sqrt(self.task.weight)
@@ -213,11 +213,11 @@ class LeastSquares:
             left.append(root @ end)
             slopes.append(weight * root @ np.vstack([response.by_c[0, :, -1], response.by_c[1, :, -1]]))
         values += [weight * x for x in left]
-        return Linear(c, found, np.concatenate(values), np.vstack(slopes), float(left[0] @ left[0]))
+        return LinearCost(c, found, np.concatenate(values), np.vstack(slopes), float(left[0] @ left[0]))
 
 
 @dataclass
-class Linear:
+class LinearCost:
     """The least squares about the motions of some coefficients `c` (n_joints, K)."""
 
     c: np.ndarray

@@ -7,12 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..backends.c.columns import rendered
-from ..errors import UsageError
-from ..files import sound
-from ..spec.names import robot_name
 from ..version import __version__ as VERSION
 from .lqg_c import UNLIMITED
-from .plan_c import JOINT, numbers
+from .plan_c import check_for_c, numbers
 
 if TYPE_CHECKING:
     from .joint_gains import JointGains
@@ -23,15 +20,8 @@ FILES = ("law.h", "law.c")
 
 def law_files(law: JointGains) -> dict[str, str]:
     """Header and source of a law, by names of files; raises UsageError where C cannot have it."""
-    try:
-        robot_name(law.robot)
-    except ValueError as error:
-        raise UsageError(f"the law's robot: {error}") from None
-    if not law.joints or not all(map(JOINT.fullmatch, law.joints)):
-        raise UsageError("the law's joints: C needs one at least, with names of letters, digits and _ . [ ] alone")
     gains = {"kp": law.kp, "kd": law.kd, "ki": np.zeros_like(law.kp) if law.ki is None else law.ki}
-    if not all(map(sound, gains.values())):
-        raise UsageError("the law's gains hold something else than measured numbers; C is made of finite ones alone")
+    check_for_c("law", law.robot, law.joints, gains.values())
     values = {
         "version": VERSION,
         "name": law.robot,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,7 +28,7 @@ LEAST = float(np.finfo(np.float32).tiny)
 
 def plan_files(plan: MotionPlan) -> dict[str, str]:
     """Header and source of a plan, by names of files; raises UsageError where C cannot have the plan."""
-    _check(plan)
+    check_for_c("plan", plan.robot, plan.joints, (plan.coefficients, plan.tau, plan.kp, plan.kd))
     path = plan.coefficients.transpose(0, 2, 1)
     values = {
         "version": VERSION,
@@ -53,13 +54,13 @@ def numbers(values: np.ndarray) -> Any:
     return literal(number if abs(number) >= LEAST else 0.0)
 
 
-def _check(plan: MotionPlan) -> None:
-    """Refuse what a plan out of a file, or made by hand, may have that is no C."""
+def check_for_c(what: str, robot: str, joints: Sequence[str], values: Iterable[np.ndarray]) -> None:
+    """Refuse what a plan, or a law, out of a file or made by hand may have that is no C; ``what``: its name."""
     try:
-        robot_name(plan.robot)
+        robot_name(robot)
     except ValueError as error:
-        raise UsageError(f"the plan's robot: {error}") from None
-    if not plan.joints or not all(map(JOINT.fullmatch, plan.joints)):
-        raise UsageError("the plan's joints: C needs one at least, with names of letters, digits and _ . [ ] alone")
-    if not all(map(sound, (plan.coefficients, plan.tau, plan.kp, plan.kd))):
-        raise UsageError("the plan holds something else than measured numbers; C is made of finite ones alone")
+        raise UsageError(f"the {what}'s robot: {error}") from None
+    if not joints or not all(map(JOINT.fullmatch, joints)):
+        raise UsageError(f"the {what}'s joints: C needs one at least, with names of letters, digits and _ . [ ] alone")
+    if not all(map(sound, values)):
+        raise UsageError(f"the {what} holds something else than measured numbers; C is made of finite ones alone")

@@ -8,9 +8,8 @@ import numpy as np
 
 from ..backends.c.columns import rendered
 from ..errors import UsageError
-from ..spec.names import robot_name
 from ..version import __version__ as VERSION
-from .plan_c import JOINT, numbers
+from .plan_c import check_for_c, numbers
 
 if TYPE_CHECKING:
     from .lqg import Lqg
@@ -23,12 +22,7 @@ UNLIMITED = 1e30
 
 def lqg_files(law: Lqg) -> dict[str, str]:
     """Header and source of a law, by names of files; raises UsageError where C cannot have it."""
-    try:
-        robot_name(law.robot)
-    except ValueError as error:
-        raise UsageError(f"the law's robot: {error}") from None
-    if not all(map(JOINT.fullmatch, law.joints)):
-        raise UsageError("the law's joints: C needs names of letters, digits and _ . [ ] alone")
+    check_for_c("law", law.robot, law.joints)
     if law.tables.M.shape[-1] == len(law.joints):
         raise UsageError("the law's robot: has no modes, whose laws have no C yet; take joint gains")
     grid = law.grid

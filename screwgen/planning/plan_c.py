@@ -54,7 +54,7 @@ def numbers(values: np.ndarray) -> Any:
     return literal(number if abs(number) >= LEAST else 0.0)
 
 
-def check_for_c(what: str, robot: str, joints: Sequence[str], values: Iterable[np.ndarray]) -> None:
+def check_for_c(what: str, robot: str, joints: Sequence[str], values: Iterable[np.ndarray] = ()) -> None:
     """Refuse what a plan, or a law, out of a file or made by hand may have that is no C; ``what``: its name."""
     try:
         robot_name(robot)

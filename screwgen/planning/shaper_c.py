@@ -8,9 +8,8 @@ import numpy as np
 
 from ..backends.c.columns import rendered
 from ..errors import UsageError
-from ..spec.names import robot_name
 from ..version import __version__ as VERSION
-from .plan_c import JOINT, numbers
+from .plan_c import check_for_c, numbers
 from .shapers import TOLERATED, VIBRATES
 
 if TYPE_CHECKING:
@@ -23,14 +22,9 @@ LONGEST = 100_000
 
 def shaper_files(made: ScheduledShaper, step: float) -> dict[str, str]:
     """Header and source of a shaper for a clock, by names of files; raises UsageError."""
-    try:
-        robot_name(made.robot)
-    except ValueError as error:
-        raise UsageError(f"the shaper's robot: {error}") from None
+    check_for_c("shaper", made.robot, (*made.joints, *made.variables))
     if made.vibrates not in VIBRATES:
         raise UsageError(f"the shaper's vibrates: must be one of: {', '.join(VIBRATES)}")
-    if not all(map(JOINT.fullmatch, (*made.joints, *made.variables))):
-        raise UsageError("the shaper's joints: C needs names of letters, digits and _ . [ ] alone")
     length = made.sampled(step).length
     if length > LONGEST:
         raise UsageError(f"step: {step:g} s takes {length} samples of memory; take a longer one")

@@ -174,7 +174,11 @@ def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray) 
     chain, n, nv = model.chain, model.nq, model.nv
     for k, sensor in enumerate(plain):
         if (one := signals.signals[sensor]).kind in ("q", "v"):
-            x[one.place + model.nq * (one.kind == "v")] = value[k] * UNITS[one.column.unit]
+            unit = UNITS[one.column.unit]
+            x[one.place + model.nq * (one.kind == "v")] = value[k] * unit
+            mode, first = (one.place - chain.eta_v, nv) if one.kind == "v" else (one.place - chain.eta_q, 0)
+            if mode >= 0:  # one that rings is not bent as under the load of others
+                wide[first + chain.eta_v + mode] = max(wide[first + chain.eta_v + mode], WIDE * size[k] * unit)
     if chain.n_added:
         for first, at in ((chain.base_q, chain.q_offset[-1]), (n + chain.base_v, n + chain.eta_v - chain.n_added)):
             x[at : at + chain.n_added] = np.multiply(chain.ratios(p), x[first:][chain.added_joints])

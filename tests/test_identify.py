@@ -199,3 +199,15 @@ def test_a_window_that_goes_astray_does_not_end_the_search():
     assert not at.stopped and abs(at.sought[0]) < 1e-6
     assert np.abs(group.x + at.shift[0][:, 0]).max() < 1e-3
     assert fit.begun(np.zeros(1)).cost < fit.start(np.zeros(1)).cost
+
+
+@pytest.mark.filterwarnings("ignore::screwgen.ModelValidityWarning")
+def test_a_stiff_mode_that_a_column_reads_may_ring():
+    """Eight samples a turn, from a stretch a hundred times that under the load of bending: a mass is found."""
+    section = {"rhoA": 0.5, "EA": 5e5, "EIz": 20.0}
+    rod = {"section": section, "modes": {"axial": 1, "bending_y": 1}, "bodies": [{"at": "tip", "mass": 0.4}]}
+    model = model_of(arm({"name": "rod", "length": 1.0, "joint": {"axes": ["z"]}} | rod))
+    more = {"parameters": {"rod.bodies[0].mass": 0.44}, "integrator": "modal_midpoint"}
+    run = screwgen.simulate(model, 0.04, 1e-3, q0=[-1.5, 5e-3, 0.01], **more)
+    found = screwgen.identify(model, run, free=["rod.bodies[0].mass"])
+    assert found["rod.bodies[0].mass"].value == pytest.approx(0.44, rel=1e-6)

@@ -28,6 +28,9 @@ FIRST, LEAST, MOST = 1e-3, 1e-9, 1e9
 SMALL, SHARE = 0.2, 3e-3
 """A step that lessens the cost by less, residuals with much in common counted as fewer, and by less than this share
 ends the fit."""
+STILL = 0.02
+"""So does a step of numbers that have less than this to gain, a fifth of their deviations: starts of windows may creep
+on where joints stick."""
 LONGEST = 1.5
 """The longest step: a logarithm changes by no more, 4.5 times, nor another number by more of its scale."""
 SETTLED = 3
@@ -77,6 +80,11 @@ class StateFree:
         found[free] = -np.linalg.lstsq(own, np.concatenate([self.r, np.zeros(k)]), rcond=None)[0]
         found *= min(1.0, LONGEST / np.max(np.abs(found), initial=LONGEST))
         return found, [self.begun(k, found, range(len(log)), 0.0) for k, log in enumerate(self.states)]
+
+    def to_gain(self, free: np.ndarray) -> float:
+        """How much less the cost would be, were all linear, with the best of what is sought."""
+        own = self.R[:, free]
+        return float(np.sum((own @ np.linalg.lstsq(own, self.r, rcond=None)[0]) ** 2)) / 2
 
     def begun(self, log: int, step: np.ndarray, windows: Iterable[int], damping: float) -> np.ndarray:
         """The steps (windows, states) of the starts of some windows of a log that go with a step of what is sought."""
@@ -143,7 +151,10 @@ class Fit:
             if better is None:
                 return
             gained = at.cost - better.cost
-            done = gained < SHARE * at.cost and gained * self._independent(better.differences) < SMALL
+            share = self._independent(better.differences)
+            done = gained < SHARE * at.cost and (
+                gained * share < SMALL or reduced.to_gain(self._free(at, reduced)) * share < STILL
+            )
             at.sought, at.shift, at.differences, at.cost = better.sought, better.shift, better.differences, better.cost
             at.history.append(at.cost)
             yield
@@ -154,8 +165,7 @@ class Fit:
 
     def _searched(self, at: Estimate, reduced: StateFree, damping: float) -> tuple[Estimate | None, float]:
         """A better estimate and the damping to go on with; None where no step lessens the cost."""
-        gradient = reduced.R.T @ reduced.r
-        free = ~((at.sought <= self.low) & (gradient > 0) | (at.sought >= self.high) & (gradient < 0))
+        free = self._free(at, reduced)
         while LEAST <= damping <= MOST:
             tried: list[Estimate] = []
             for worse in WORSE:
@@ -167,6 +177,11 @@ class Fit:
                 return tried[best], max(LEAST, damping * DAMPINGS[best % len(DAMPINGS)])
             damping *= DAMPINGS[-1] / DAMPINGS[0]
         return None, damping
+
+    def _free(self, at: Estimate, reduced: StateFree) -> np.ndarray:
+        """Of what is sought (k,) of bool: what its bounds let go where the cost falls."""
+        gradient = reduced.R.T @ reduced.r
+        return ~((at.sought <= self.low) & (gradient > 0) | (at.sought >= self.high) & (gradient < 0))
 
     def _trial(
         self, at: Estimate, reduced: StateFree, damping: float, free: np.ndarray, worse: float = WORSE[-1]

@@ -42,7 +42,7 @@ def refuse_robot(
     others = {
         "transmissions": bool(chain.travels),
         "axes whose motion is given": bool(chain.prescribed) and not more,
-        "inputs of forces between frames": chain.inputs_load_links,
+        "inputs that load links": chain.inputs_load_links,
         "brakes": bool(chain.braked) and not more,
         "tendons or other inputs": chain.n_tau != chain.n_joints and not more,
         "internal states": bool(chain.n_internal or chain.n_force_states),

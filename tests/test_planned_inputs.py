@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from helpers import arm, link, model_of
+from test_tracking import eased
 
 import screwgen
 from screwgen import UsageError
@@ -93,3 +94,18 @@ def test_inputs_that_are_not_known_are_one_line():
         screwgen.gains(braked, [[0.0]])
     with pytest.raises(UsageError, match="has axes whose motion is given, for which there is no scheduled shaper"):
         screwgen.shape(moved(), [-1.0], [1.0])
+
+
+def test_a_tip_is_on_its_path_by_a_given_motion():
+    """Its joint goes as that of a driven arm does, and what is planned is how it accelerates."""
+    sweep = lambda t: 1.2 * np.stack([np.cos(eased(t / 1.2)), np.sin(eased(t / 1.2)), 0 * t], axis=-1)  # noqa: E731
+    law = screwgen.PD((100.0,), (20.0,), (0.0,))
+    given, driven = (
+        screwgen.track(x, sweep, 1.2, step=2e-3, gains=law) for x in (moved(), boom(joint={"armature": [0.3]}))
+    )
+    assert np.abs(given.q - driven.q).max() < 1e-9 and np.abs(given.tau - given.vdot).max() < 1e-9 * given.effort[0]
+    assert np.abs(given.tau - driven.tau).max() > 0.1 * driven.effort[0]
+    run = screwgen.play(moved(), given).run
+    goal = sweep(np.clip(run.t - 0.1, 0.0, 1.2))
+    ahead = np.stack([-goal[:, 1], goal[:, 0], 0 * goal[:, 0]], axis=1) / 1.2
+    assert np.abs(((run.tip_position - goal) * ahead).sum(axis=1)).max() < 2e-5

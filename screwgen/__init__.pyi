@@ -30,6 +30,7 @@ from .planning.shaper_files import read_shaper as read_shaper
 from .planning.shapers import Shaper as Shaper
 from .planning.shapers import shaper as shaper
 from .planning.tip_goals import inverse_kinematics as inverse_kinematics
+from .planning.tip_path import TipPath as TipPath
 from .planning.track import track as track
 from .plotting.plan_report import PlanReport as PlanReport
 from .plotting.plan_report import plan_report as plan_report
@@ -48,6 +49,7 @@ from .simulation.integrate import DivergedError as DivergedError
 from .simulation.loop_watch import LoopWarning as LoopWarning
 from .simulation.loop_watch import OpenedError as OpenedError
 from .simulation.lqg_law import LqgLaw as LqgLaw
+from .simulation.path_table import read_path as read_path
 from .simulation.rollout import Rollout as Rollout
 from .simulation.rollout import rollout as rollout
 from .simulation.runs import Run as Run

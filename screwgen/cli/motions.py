@@ -1,4 +1,4 @@
-"""The command for motions that end at rest: plan."""
+"""The commands for motions that end at rest: plan and track."""
 
 from __future__ import annotations
 
@@ -17,22 +17,24 @@ if TYPE_CHECKING:
 
 FORMATS = (".npz", ".csv")
 """Of files of plans."""
+PlanOutput = Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="plan.npz, plan.csv, or a folder.")]
+PlanTarget = Annotated[str | None, typer.Option(metavar="c", help="Write the plan as C, into the folder after -o.")]
+RowStep = Annotated[float, typer.Option(metavar="S", help="Between the rows of a .csv file.")]
 
 
 def register(app: typer.Typer, epilog: str) -> None:
-    """Add the command to the command line."""
+    """Add the commands to the command line."""
     app.command("plan", short_help="Plan a motion that ends at rest.", epilog=epilog)(plan)
+    app.command("track", short_help="Plan a motion whose tip is on a path.", epilog=epilog)(track)
 
 
 def plan(
     context: typer.Context,
     robot: RobotFile,
     task: Annotated[str, typer.Argument(metavar="PLAN", help="What is to be planned, TOML.")],
-    output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="plan.npz, plan.csv, or a folder.")],
-    target: Annotated[
-        str | None, typer.Option(metavar="c", help="Write the plan as C, into the folder after -o.")
-    ] = None,
-    step: Annotated[float, typer.Option(metavar="S", help="Between the rows of a .csv file.")] = 1e-3,
+    output: PlanOutput,
+    target: PlanTarget = None,
+    step: RowStep = 1e-3,
     fast: Annotated[
         bool, typer.Option("--fast", help="Polynomials by least squares: limits are checked, not sought with.")
     ] = False,
@@ -71,8 +73,71 @@ def plan(
         for page in pages:  # the plan is kept where its runs go wrong
             page.write(_page(model, found, ways, quiet).encode())
     figures = f"{found.time:.4g} s, {found.said['iterations']} iterations, torques up to {found.effort.max():.4g}"
-    bare = "" if found.kp.any() else "; without gains nothing corrects what the model does not know"
-    say("\n".join([*files, figures + bare]), quiet)
+    say("\n".join([*files, figures + _bare(found)]), quiet)
+
+
+def track(
+    context: typer.Context,
+    robot: RobotFile,
+    path: Annotated[
+        str, typer.Argument(metavar="PATH", help="Where the tip is to be: a .csv of t, x, y, z, or a shape, TOML.")
+    ],
+    output: PlanOutput,
+    target: PlanTarget = None,
+    near: Annotated[
+        str | None,
+        typer.Option(metavar="Q,...", help="Joints from where the posture of the start is sought, rad or m."),
+    ] = None,
+    law: Annotated[
+        str | None, typer.Option("--gains", metavar="FILE", help="The joint law under which the plan is played.")
+    ] = None,
+    preview: Annotated[
+        float, typer.Option(metavar="S", help="How much earlier joints begin, and later end, than the tip.")
+    ] = 0.1,
+    spacing: Annotated[float, typer.Option(metavar="S", help="Between the points of the plan.")] = 1e-3,
+    step: RowStep = 1e-3,
+    quiet: Quiet = False,
+) -> None:
+    """Plan the motion of the joints, with its torques, in which the tip of the bent arm is on a path."""
+    from ..model import derive
+    from ..planning.track import track as made
+    from ..progress import bar
+    from ..simulation.controller_files import read_pd
+    from ..simulation.path_table import read_path
+    from .output import load_robot, say, stoppable
+    from .stated_numbers import joint_coordinates
+
+    quiet = quiet or context.obj
+    check_destination(output, target, FORMATS, "a plan")
+    asked, model = read_path(path), derive(load_robot(robot, quiet))
+    ways: dict[str, Any] = {"preview": preview, "step": spacing, "gains": None if law is None else read_pd(law, model)}
+    ways["near"] = None if near is None else joint_coordinates(near, model, "near")
+    with destination(output, target, step) as write, stoppable():
+        with bar("planning", 15, quiet) as progress:
+            found = made(model, asked, asked.time, **ways, progress=progress)
+        files = write(found)
+    say("\n".join([*files, *_followed(found)]), quiet)
+
+
+def _followed(found: MotionPlan) -> list[str]:
+    """What a plan of a path does, in lines: a table of its joints."""
+    said = found.said
+    begun = f"{found.time:.4g} s, {said['preview']:.4g} s of it before the tip moves and as much after; "
+    lines = [
+        f"{begun}{said['iterations']} iterations{_bare(found)}",
+        f"tip off its path by {said['off']:.2g} m at most",
+    ]
+    lines.append(f"  {'joint':27}" + "".join(f"{head:>12}" for head in ("least", "largest", "rate", "effort", "limit")))
+    reached = (found.q.min(axis=0), found.q.max(axis=0), abs(found.v).max(axis=0), found.effort)
+    for name, *sizes, most in zip(found.joints, *reached, found.tau_max, strict=True):
+        limit = "none" if most == float("inf") else f"{most:.4g}"
+        lines.append(f"  {name:27}" + "".join(f"{x:>12.4g}" for x in sizes) + f"{limit:>12}")
+    return lines
+
+
+def _bare(found: MotionPlan) -> str:
+    """What is missing where a plan has no law."""
+    return "" if found.kp.any() else "; without gains nothing corrects what the model does not know"
 
 
 def _page(model: RobotModel, found: MotionPlan, ways: Mapping[str, Any], quiet: bool) -> str:

@@ -82,7 +82,7 @@ def excite(
     The motion is run on the model under its law. Raises UsageError where the run breaks a limit, which it names, or
     where an argument makes no sense.
     """
-    refuse_robot(model, "excitation", "state a motion of your own")
+    refuse_robot(model, "excitation", "state a motion of your own", more=False)
     m, time, step = model.n_joints, seconds(time, "time"), seconds(step, "step")
     bounds = _limits(model, limits or {}, strain)
     begin = array(np.clip(np.zeros(m), bounds.lower, bounds.upper) if start is None else start, "start:", (m,))

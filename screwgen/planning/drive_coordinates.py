@@ -31,6 +31,8 @@ class DriveCoordinates:
         """(n_joints,): turns of the rotors per turn of the joints, 1 of rigid drives."""
         for joint, ratio in zip(chain.added_joints, chain.ratios(p), strict=True):
             self.ratios[joint] = ratio
+        self.given = list(chain.prescribed)
+        """The joints whose motion is given; their effort is an acceleration, that of the rotor over the ratio."""
 
     @cached_property
     def map(self) -> ca.SX:
@@ -59,5 +61,17 @@ class DriveCoordinates:
         return q[..., self.places] / np.array(self.ratios, float)
 
     def efforts(self, tau: np.ndarray) -> np.ndarray:
-        """(…, n_joints): of efforts (…, n_tau) where drives act, times the ratios."""
-        return tau[..., : self.joints] * np.array(self.ratios, float)
+        """(…, n_joints): of efforts (…, n_tau) where drives act, times the ratios; of given accelerations over them."""
+        return tau[..., : self.joints] * self.effort_ratios
+
+    @property
+    def effort_ratios(self) -> np.ndarray:
+        """(n_joints,): of efforts here to those where drives act."""
+        return np.array([1.0 / x if joint in self.given else x for joint, x in enumerate(self.ratios)], float)
+
+    def with_accelerations(self, force: ca.SX, a: ca.SX) -> ca.SX:
+        """Forces (nq,) of these coordinates, of joints whose motion is given the accelerations in their place."""
+        out = ca.SX(force)
+        for joint in self.given:
+            out[joint] = a[joint]
+        return out

@@ -49,13 +49,17 @@ def efforts_with_law(task: Task, member: PlannedModel, found: Found) -> np.ndarr
 def within_efforts(
     task: Task, member: PlannedModel, found: Found, search: Callable[[Task, Found | None], Found]
 ) -> Found:
-    """What was found, or a plan with tighter limits that leaves the law what it takes; that which does so most."""
+    """What was found, or a plan with tighter limits that leaves the law what it takes; that which does so most.
+
+    A search for the shortest time may give plans that take longer.
+    """
     most = task.limits.efforts / HEADROOM
     limited = np.isfinite(most) & (most > 0)
     if not (limited & (task.law.kp > 0)).any():
         return found
     best, least = found, np.inf
     for _ in range(ROUNDS):
+        task = task.within(found.time)
         excess = np.where(limited, efforts_with_law(task, member, found), 0.0)[limited] - (1.0 - SPARE) * most[limited]
         if (worst := float((excess / most[limited]).max())) < least:
             best, least = found, worst

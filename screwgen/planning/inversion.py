@@ -20,6 +20,8 @@ from .members import Still
 
 CLOSE, ROUNDS = 1e-10, 15
 """Where the iteration ends: the largest residual over the length of the path's way; most iterations."""
+NONE = 1e-4
+"""Below this ratio to the largest of a posture joints do not move the tip in a direction."""
 FORCING, RESTART, CYCLES = 1e-8, 80, 6
 """How well the linear equations are solved."""
 
@@ -64,7 +66,7 @@ class TipEquations:
 
     The distance is that in the directions in which joints move the tip of an arm that does not bend, in terms of the
     joints; forces are in terms of the modes that they would hold. `goal` (count, 3), m: the path; `joints`
-    (count, m): those of the arm that does not bend.
+    (count, m): those of the arm that does not bend, which those of the bent arm are in directions that leave the tip.
     """
 
     def __init__(self, still: Still, tip: ca.Function, goal: np.ndarray, joints: np.ndarray):
@@ -72,7 +74,8 @@ class TipEquations:
         self.count, n = len(goal), still.residual.size1_in(0)
         at_rest = np.hstack([joints, np.zeros((self.count, n - self.m))])
         J = self._slopes_of(_slope(tip, self.m), at_rest)
-        self.to_joints = np.linalg.pinv(J)
+        self.joints, self.to_joints = joints, np.linalg.pinv(J, rcond=NONE)
+        self.redundant = np.eye(self.m) - self.to_joints @ J
         q, v, a = (ca.SX.sym(name, n) for name in "qva")
         force = still.residual(q, v, a)[self.m :]
         parts = [ca.jacobian(force, x) for x in (q, v, a)]
@@ -84,7 +87,9 @@ class TipEquations:
     def residual(self, q: np.ndarray, v: np.ndarray, a: np.ndarray) -> np.ndarray:
         """(count, n): first the tip's, then the modes'."""
         force = self._mapped(self.still.residual, q.T, v.T, a.T).T[:, self.m :]
-        return self.scale * np.hstack([np.einsum("kij,kj->ki", self.to_joints, self.off(q)), force])
+        tips = np.einsum("kij,kj->ki", self.to_joints, self.off(q))
+        others = np.einsum("kij,kj->ki", self.redundant, q[:, : self.m] - self.joints)
+        return self.scale * np.hstack([tips + others, force])
 
     def off(self, q: np.ndarray) -> np.ndarray:
         """(count, 3), m: from the path to the tip."""
@@ -96,7 +101,9 @@ class TipEquations:
         forces = self.force_slopes.map(self.count)(q.T, v.T, a.T)
         by = [np.array(x).reshape(modes, self.count, n).transpose(1, 0, 2) for x in forces]
         J = self._slopes_of(self.tip_slope, q)
-        rows = [self.to_joints @ J, *[np.zeros((self.count, self.m, n))] * 2]
+        tips = self.to_joints @ J
+        tips[:, :, : self.m] += self.redundant
+        rows = [tips, *[np.zeros((self.count, self.m, n))] * 2]
         return SampleSlopes(*(self.scale[:, None] * np.concatenate(x, axis=1) for x in zip(rows, by, strict=True)))
 
     def _mapped(self, function: ca.Function, *columns: np.ndarray) -> np.ndarray:

@@ -149,7 +149,7 @@ def gains(
 
     Raises UsageError where no gains are stable, or none keep the bounds.
     """
-    refuse_robot(model, "search for gains", "state gains of your own")
+    refuse_robot(model, "search for gains", "state gains of your own", more=False)
     m, step = model.n_joints, seconds(step, "the step")
     at = postures_within(model, postures)
     values = model.chain.parameters.vector(parameters)

@@ -54,7 +54,7 @@ def lqg(
     every plane. Of a joint behind an elastic gear all is said of the rotor: its angle over the ratio, its effort times
     the ratio. Raises UsageError where none is.
     """
-    refuse_robot(model, "law with a filter", "state gains of your own")
+    refuse_robot(model, "law with a filter", "state gains of your own", more=False)
     m, step = model.n_joints, seconds(step, "the step")
     values = model.chain.parameters.vector(parameters)
     own = DriveCoordinates(model.chain, values).efforts(model.chain.efforts)

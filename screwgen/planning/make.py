@@ -91,9 +91,12 @@ def plan(
         found = search(task, None)
         if not found.sound:
             raise no_plan(task, model, own, search)
-        found = within_efforts(task, _members(task, calm, ())[0], found, search)
     else:
-        task, found = shortest(task, model, own, search)
+        found = shortest(task, own, search)
+    if not fast:
+        seek = search if fixed else lambda task, near: shortest(task, own, search, near)
+        found = within_efforts(task, _members(task, calm, ())[0], found, seek)
+        task = task.within(found.time)
     if calm is not own and not fast:
         found = _with_friction(own, found)
         if why := passed_by_friction(task, model, own, found):

@@ -51,7 +51,8 @@ class Still:
         self.joints, self.drives = model.n_joints, DriveCoordinates(model.chain, p)
         z = [ca.SX.sym(name, model.nq) for name in "qva"]
         force = model.casadi()["inverse_dynamics"](*map(self.drives.to_robot, z), ca.DM.zeros(6, model.n_links), p)
-        self.residual = ca.Function("residual", z, [self.drives.forces(force)])
+        moving = self.drives.with_accelerations(self.drives.forces(force), z[2])
+        self.residual = ca.Function("residual", z, [moving])
         slipping = without_dry_friction(model.robot, p, bend=False)
         self.statics, self.damping, self.inertia = (
             partial(_at, f, own) for f, own in zip(found, (p, slipping, p), strict=True)
@@ -77,7 +78,13 @@ class Still:
         q = np.zeros(self.model.nq) if near is None else near.copy()
         q[: self.joints] = joints
         q = self._newton(q, np.zeros(self.joints), np.full(self.joints, np.inf))
-        return AtRest(q, np.array(self.statics(q)[0]).ravel()[: self.joints])
+        return AtRest(q, self.bearing(q))
+
+    def bearing(self, q: np.ndarray) -> np.ndarray:
+        """(n_joints,): what drives bear at rest."""
+        torque = np.array(self.statics(q)[0]).ravel()[: self.joints]
+        torque[self.drives.given] = 0.0
+        return torque
 
     def under(self, law: JointLaw, reference: np.ndarray, torque: np.ndarray, near: np.ndarray) -> AtRest:
         """The rest under a torque and a joint law about a reference."""
@@ -87,6 +94,7 @@ class Still:
     def _newton(self, q: np.ndarray, load: np.ndarray, kp: np.ndarray) -> np.ndarray:
         """The rest where drives bear `load − kp q`; those with an infinite `kp` stay."""
         m, held = self.joints, np.isinf(kp)
+        held[self.drives.given] = True
         free = np.append(~held, np.ones(len(q) - m, bool))
         gain = np.where(held, 0.0, kp)
         for _ in range(STEPS):
@@ -108,8 +116,11 @@ class Still:
         return np.array(self.inertia(q)), np.array(self.damping(q)), np.array(self.statics(q)[1])
 
     def rigid_inertia(self, q: np.ndarray) -> np.ndarray:
-        """(n_joints, n_joints): the inertia that drives move where nothing bends or twists."""
-        return np.array(self.inertia(q))[: self.joints, : self.joints]
+        """(n_joints, n_joints): the inertia that drives move where nothing bends or twists, 1 of given motions."""
+        M, given = np.array(self.inertia(q))[: self.joints, : self.joints], self.drives.given
+        M[given, :] = M[:, given] = 0.0
+        M[given, given] = 1.0
+        return M
 
     def energy(self, q: np.ndarray, kp: np.ndarray) -> np.ndarray:
         """(2 n, 2 n): of displacements from a rest and rates, twice their energy; joints on springs `kp`."""

@@ -27,10 +27,13 @@ GROUPS = {
 ROUNDING = 1e-9
 
 
-def refuse_robot(model: RobotModel, what: str = "plan", instead: str = "give references of your own") -> None:
+def refuse_robot(
+    model: RobotModel, what: str = "plan", instead: str = "give references of your own", more: bool = True
+) -> None:
     """Refuse robots whose coordinates are not those of joints with a drive each, of gears that twist, and of modes.
 
-    ``what``: there is none for them.
+    ``what``: there is none for them. ``more``: it moves axes whose motion is given, too, and lets inputs of other kinds
+    stand at 0, so that brakes are open and tendons slack.
     """
     chain = model.chain
     chain.refuse_quaternion_joints(what, instead)
@@ -38,9 +41,10 @@ def refuse_robot(model: RobotModel, what: str = "plan", instead: str = "give ref
     chain.refuse_loops(what, instead)
     others = {
         "transmissions": bool(chain.travels),
-        "axes whose motion is given": bool(len(chain.prescribed)),
-        "brakes": bool(chain.braked),
-        "tendons or other inputs": chain.n_tau != chain.n_joints,
+        "axes whose motion is given": bool(chain.prescribed) and not more,
+        "inputs that load links": chain.inputs_load_links,
+        "brakes": bool(chain.braked) and not more,
+        "tendons or other inputs": chain.n_tau != chain.n_joints and not more,
         "internal states": bool(chain.n_internal or chain.n_force_states),
         "no joints": not chain.n_joints,
     }

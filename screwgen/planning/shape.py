@@ -59,7 +59,7 @@ def shape(
 
     Raises UsageError, also where fewer motions swing than are asked for.
     """
-    refuse_robot(model, "scheduled shaper", "take screwgen.shaper with frequencies of your own")
+    refuse_robot(model, "scheduled shaper", "take screwgen.shaper with frequencies of your own", more=False)
     m, names = model.n_joints, tuple(model.q_names[: model.n_joints])
     kind, modes = choice(kind, KINDS, "kind: there is no"), whole(modes, "modes", 1, MOST_MODES)
     degree = whole(degree, "degree", 0, MOST_DEGREE)

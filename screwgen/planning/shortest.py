@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
 from ..errors import UsageError
-from ..robot_model import RobotModel
 from .members import Still
 from .solve import Found
 from .task import Task
@@ -15,25 +15,28 @@ from .task import Task
 CLOSE = 1.002
 """The ratio of a time with a plan and of one without at which the search ends."""
 DOUBLINGS = 8
+LONGER, FACTOR = 1.02, 1.15
+"""Of the time of a motion nearby what is tried first, and by how much more again where that has no plan."""
 
 
-def shortest(
-    task: Task, model: RobotModel, own: Still, search: Callable[[Task, Found | None], Found]
-) -> tuple[Task, Found]:
-    """The task in the shortest time that has a plan, and this plan."""
+def shortest(task: Task, own: Still, search: Callable[[Task, Found | None], Found], near: Found | None = None) -> Found:
+    """The plan of a task in the shortest time that has one; `near`: one in less time, under wider limits."""
     if not (np.isfinite(task.limits.efforts).any() or np.isfinite(task.limits.rates).any()):
         raise UsageError("time: is 'shortest', but nothing limits efforts or rates; state limits, or a time")
-    time = _first(task, own)
+    time, factor, failed = _first(task, own), 2.0, 0.0
+    if near is not None:
+        time, factor, failed = LONGER * near.time, FACTOR, near.time
     best: Found | None = None
-    failed = 0.0
     for _ in range(DOUBLINGS):
-        found = search(task.within(time), best)
+        found = search(task.within(time), near)
         if found.sound:
             best = found
             break
-        failed, time = time, 2 * time
+        failed, time = time, factor * time
+    if best is None and near is not None:
+        return replace(near, sound=False)
     if best is None:
-        raise UsageError(f"no plan was found in {time / 2:.4g} s or less; state a time, or other limits")
+        raise UsageError(f"no plan was found in {failed:.4g} s or less; state a time, or other limits")
     while best.time > CLOSE * failed:
         time = np.sqrt(best.time * failed) if failed else best.time / 1.4
         found = search(task.within(time), best)
@@ -41,7 +44,7 @@ def shortest(
             best = found
         else:
             failed = time
-    return task.within(best.time), best
+    return best
 
 
 def _first(task: Task, own: Still) -> float:

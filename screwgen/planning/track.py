@@ -12,7 +12,7 @@ import numpy as np
 from ..arguments import Given, Numbers, array, real_numbers, seconds
 from ..errors import UsageError
 from ..robot_model import RobotModel
-from .inversion import TipEquations, Window, inverted
+from .inversion import NONE, TipEquations, Window, inverted
 from .limits import motion_limits
 from .make import law_of
 from .members import Still
@@ -20,18 +20,21 @@ from .plan import MotionPlan
 from .refusals import refuse_robot
 from .solve import Progress
 from .task import MotionLimits
+from .tip_path import jump
 
 Path = Callable[[np.ndarray], Any]
 """Places (…, 3), m, in inertial axes at times (…), s."""
 PREVIEW, STEP = 0.1, 1e-3
 MORE = 0.5
 """How much longer than what is played the window is at either end, s, so that what is left there may be seen."""
-MEETS, NEWTONS = 1e-9, 60
-"""How closely, by the arm's length, the tip of the arm that does not bend meets the path; most iterations."""
+MEETS, NEWTONS, AMISS = 1e-9, 60, 1e-6
+"""The last step of joints with which the tip of the arm that does not bend meets the path; most iterations; and how
+far from it, by the arm's length, is out of reach.
+"""
+STARTS, SEED = 12, 1
+"""Postures from which that of the start is sought where none is stated, and of what they are drawn."""
 FLAT = 1e-3
 """Below this ratio of the slowest to the fastest motion of the tip by joints a posture is singular."""
-JUMPS = 1.6
-"""The ratio of the largest accelerations over one step and over two: 4 where a path jumps, 2 where its rate does."""
 CUT = 2e-5
 """The share of the joints' way that may be cut off at either end of the preview."""
 
@@ -52,9 +55,11 @@ def track(
 
     `path`: a function of times (…), s, that gives places (…, 3), m, in inertial axes; it begins and ends at rest. The
     plan is longer than it by `preview` at either end: bending begins before the tip moves, so the tip is at `path(t)`
-    at the time `t + preview` of the plan. `near` (n_joints,): joints from where the posture of the start is sought.
-    Joints follow the tip in the directions in which they move it, one per joint; in others it is off by what bending
-    shortens. `step`: between the points of the plan, s. `gains`: a law with `kp` and `kd` to play it under.
+    at the time `t + preview` of the plan. `near` (n_joints,): joints from where the posture of the start is sought;
+    zero and then others, if not given.
+    Joints follow the tip in the directions in which they move it; where there are fewer than three it is off by what
+    bending shortens in the others. Of more joints than directions those move that have the least way to go. `step`:
+    between the points of the plan, s. `gains`: a law with `kp` and `kd` to play it under.
 
     Of a joint behind an elastic gear the plan says what its rotor does, over the ratio; the tip is where the path is
     nevertheless. The rotor moves as the tip's acceleration, so its torque is finite where the path is smooth up to its
@@ -64,8 +69,6 @@ def track(
     """
     refuse_robot(model, "tip path", "give joint references of your own")
     m, began = model.n_joints, clock.perf_counter()
-    if m > 3:
-        raise UsageError(f"robot '{model.robot.name}' has {m} joints; a path of the tip states three coordinates")
     time, preview, step = (
         seconds(x, what) for x, what in ((time, "the time"), (preview, "the preview"), (step, "the step"))
     )
@@ -78,16 +81,17 @@ def track(
     goal = _sampled(path, t, time, step)
     still = Still(model, p)
     tip = _tip(still)
-    joints = _rigid(model, tip, goal, array(near, "near:", (m,)))
+    joints = _rigid(model, tip, goal, None if near is None else array(near, "near:", (m,)))
     equations = TipEquations(still, tip, goal, joints)
     start = np.hstack([joints, np.tile(still.held(joints[0]).q[m:], (len(t), 1))])
     q, v, a, iterations = inverted(equations, window, start, progress)
-    if model.chain.n_added and (k := _jump(q[:, :m], step)):
+    if model.chain.n_added and (k := jump(q[:, :m], step)):
         jumps = f"its acceleration or the rate of that jumps at {t[k]:.4g} s, and with it a rotor behind its gear"
         raise UsageError(f"path: {jumps}; give a path that is smooth up to its third derivative")
     played = slice(more, more + points + 1)
     _check_cut(q[:, :m], played, preview)
-    said = {"iterations": iterations, "seconds": clock.perf_counter() - began, "preview": preview}
+    off = float(np.linalg.norm(equations.off(q)[played], axis=1).max())
+    said = {"iterations": iterations, "seconds": clock.perf_counter() - began, "preview": preview, "off": off}
     return _planned(model, still, time + 2 * preview, [x[played] for x in (q, v, a)], gains, said)
 
 
@@ -117,15 +121,9 @@ def _sampled(path: Path, t: np.ndarray, time: float, step: float) -> np.ndarray:
         raise UsageError(f"path: gives {said} at {len(t)} times; it must give ({len(t)}, 3), m")
     if not np.isfinite(goal).all():
         raise UsageError("path: gives a NaN or an infinity; it must give finite numbers")
-    if k := _jump(goal, step):
+    if k := jump(goal, step):
         raise UsageError(f"path: it or its rate jumps at {t[k]:.4g} s; begin and end at rest, and give a smooth one")
     return goal
-
-
-def _jump(x: np.ndarray, step: float) -> int:
-    """The sample of rows (count, …) at which they or their rates jump, 0 where they are smooth."""
-    over = [np.abs(x[2 * k :] - 2 * x[k:-k] + x[: -2 * k]).max(axis=1) / (k * step) ** 2 for k in (1, 2)]
-    return int(over[0].argmax()) + 1 if over[0].max() > JUMPS * over[1].max() else 0
 
 
 def _tip(still: Still) -> ca.Function:
@@ -134,32 +132,70 @@ def _tip(still: Still) -> ca.Function:
     return ca.Function("tip", [q], [still.model.casadi()["tip_pose"](still.drives.to_robot(q), still.p)[1]])
 
 
-def _rigid(model: RobotModel, tip: ca.Function, goal: np.ndarray, near: np.ndarray) -> np.ndarray:
+def _rigid(model: RobotModel, tip: ca.Function, goal: np.ndarray, near: np.ndarray | None) -> np.ndarray:
     """(count, n_joints): joints with which the tip of the arm that does not bend is on the path."""
-    m, q = model.n_joints, ca.SX.sym("q", model.nq)
-    both = ca.Function("both", [q], [tip(q), ca.densify(ca.jacobian(tip(q), q)[:, :m])])
-    length = sum(link.length or 0.0 for link in model.robot.links) or 1.0
-    x = np.append(near, np.zeros(model.nq - m))
-    out: list[np.ndarray] = []
+    arm = _UnbentArm(model, tip)
+    x, out = arm.begin(goal[0], near), []
     for k, place in enumerate(goal):
-        if k and np.array_equal(place, goal[k - 1]):
-            out.append(out[-1])
-            continue
+        if not (k and np.array_equal(place, goal[k - 1])):
+            x = arm.posture(place, x)
+            if why := arm.fault(place, x):
+                raise UsageError(f"path: {why}")
+        out.append(x)
+    return np.array(out)
+
+
+class _UnbentArm:
+    """Where joints (n_joints,) bring the tip of an arm that does not bend."""
+
+    def __init__(self, model: RobotModel, tip: ca.Function):
+        m, joints = model.n_joints, ca.SX.sym("q", model.n_joints)
+        place = tip(ca.vertcat(joints, ca.DM.zeros(model.nq - m)))
+        self.both = ca.Function("both", [joints], [place, ca.densify(ca.jacobian(place, joints))])
+        self.limits = model.chain.limits
+        low, high = np.clip(self.limits.T, -np.pi, np.pi)
+        self.drawn = np.random.default_rng(SEED).uniform(low, high, (STARTS, len(low)))
+        sizes = [np.linalg.svd(self.at(x)[1], compute_uv=False) for x in self.drawn]
+        self.directions = max(1, max(int((x > NONE * x[0]).sum()) for x in sizes))
+        """In how many directions joints move the tip in most postures."""
+        self.length = sum(link.length or 0.0 for link in model.robot.links) or 1.0
+
+    def at(self, joints: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The tip (3,), m, and its derivatives (3, n_joints)."""
+        place, J = (np.array(found) for found in self.both(joints))
+        return place.ravel(), J
+
+    def posture(self, place: np.ndarray, near: np.ndarray) -> np.ndarray:
+        """The joints that bring the tip to a place, or as near to it as a search comes."""
+        x = near.copy()
         for _ in range(NEWTONS):
-            there, J = (np.array(found) for found in both(x))
-            step = np.linalg.lstsq(J, place - there.ravel(), rcond=FLAT / 10)[0]
-            x[:m] += step * min(1.0, 0.3 / max(np.abs(step).max(), 1e-12))
+            there, J = self.at(x)
+            step = np.linalg.lstsq(J, place - there, rcond=NONE)[0]
+            x += step * min(1.0, 0.3 / max(np.abs(step).max(), 1e-12))
             if np.abs(step).max() < MEETS:
                 break
-        there, J = (np.array(found) for found in both(x))
-        sizes = np.linalg.svd(J, compute_uv=False)
-        at = f"({', '.join(f'{c:.4g}' for c in place)}) m"
-        if sizes[-1] < FLAT * max(sizes[0], length):
-            raise UsageError(f"path: at {at} the joints cannot move the tip in {m} directions; keep away from there")
-        if (off := float(np.linalg.norm(there.ravel() - place))) > 1e3 * MEETS * length:
-            raise UsageError(f"path: {at} is out of reach, by {off:.3g} m; give a path that the joints can follow")
-        out.append(x[:m].copy())
-    return np.array(out)
+        return x
+
+    def begin(self, place: np.ndarray, near: np.ndarray | None) -> np.ndarray:
+        """Joints near those of the start; without a stated posture the first that serve, within their limits if any."""
+        if near is not None:
+            return near
+        found = [self.posture(place, x) for x in (np.zeros(len(self.limits)), *self.drawn)]
+        sound = [x for x in found if not self.fault(place, x)]
+        within = [x for x in sound if (self.limits.T[0] <= x).all() and (x <= self.limits.T[1]).all()]
+        nearest = min(found, key=lambda x: float(np.linalg.norm(self.at(x)[0] - place)))
+        return next(iter(within or sound), nearest)
+
+    def fault(self, place: np.ndarray, joints: np.ndarray) -> str:
+        """Why the tip cannot be moved along from a place at which the joints should have it; empty if it can."""
+        there, J = self.at(joints)
+        at, sizes = f"({', '.join(f'{c:.4g}' for c in place)}) m", np.linalg.svd(J, compute_uv=False)
+        off = float(np.linalg.norm(there - place))
+        if off > AMISS * self.length:
+            return f"{at} is out of reach, by {off:.3g} m; give a path that the joints can follow"
+        if sizes[self.directions - 1] < FLAT * max(sizes[0], self.length):
+            return f"at {at} the joints cannot move the tip in {self.directions} directions; keep away from there"
+        return ""
 
 
 def _check_cut(joints: np.ndarray, played: slice, preview: float) -> None:

@@ -146,7 +146,7 @@ class Feedforward:
 
 def moved_model(model: RobotModel) -> RobotModel:
     """The model of the robot whose axes all move as given, at the same parameters; refuses loops."""
-    refuse_robot(model, "feedforward", "use a joint law alone")
+    refuse_robot(model, "feedforward", "use a joint law alone", more=False)
     return model.once("feedforward", lambda: RobotModel(moved(model.robot)))
 
 

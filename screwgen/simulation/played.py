@@ -5,17 +5,22 @@ from __future__ import annotations
 import os
 import warnings
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arguments import Numbers
 from ..errors import UsageError, one_line
+from ..planning.drive_coordinates import DriveCoordinates
 from ..planning.members import Still
 from ..planning.plan import MotionPlan
 from ..planning.plan_files import read_plan
 from ..planning.task import JointLaw
 from ..robot_model import RobotModel
 from .controllers import PD
+
+if TYPE_CHECKING:
+    from ..topology.chain import Chain
 
 AWAY = 1e-6
 """How far from its start, rad or m, a plan may be played without a word."""
@@ -35,12 +40,20 @@ class Played(PD):
 
     plan: MotionPlan | None = None
     step: float = 1e-3
+    effort_ratios: tuple[float, ...] = ()
+    """(n_joints,): of planned efforts to inputs, filled in by a run."""
 
     @classmethod
     def of(cls, plan: MotionPlan) -> Played:
         """The law of a plan with its own gains and limits."""
         kp, kd, goal, start = (tuple(x.tolist()) for x in (plan.kp, plan.kd, plan.q[-1], plan.q[0]))
         return cls(kp, kd, goal, duration=plan.time, q_start=start, plan=plan)
+
+    def through(self, chain: Chain, p: Numbers) -> Played:
+        """The same law for a robot; of axes whose motion is given the input is an acceleration."""
+        own, ratios = super().through(chain, p), DriveCoordinates(chain, p).effort_ratios
+        assert isinstance(own, Played)
+        return replace(own, effort_ratios=tuple(ratios.tolist()))
 
     def sampled_every(self, step: float) -> Played:
         """The same for a run of steps of so many seconds."""
@@ -76,7 +89,7 @@ class Played(PD):
         lag, late = q_ref - self.measured(q, self.ahead), v_ref - self.measured(v)
         tau = self.plan.mean_torque(t, t + self.step) + np.array(self.kp) * lag + np.array(self.kd) * late
         most = self.plan.tau_max
-        return np.append(np.clip(tau, -most, most) / self.own_ratios, np.zeros(self.idle))
+        return np.append(np.clip(tau, -most, most) / np.array(self.effort_ratios), np.zeros(self.idle))
 
 
 def read_played(path: str | os.PathLike[str], model: RobotModel) -> Played:

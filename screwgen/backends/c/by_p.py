@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from ...algorithms.estimated_parameters import gaps
+from ...algorithms.functions import MEASURING
 from ...algorithms.measurement import Measurement
 from ...algorithms.parameter_slopes import BY_P, ConstantSlopes, Differentiable
 from ...algorithms.robot_function import RobotFunction
@@ -67,12 +68,16 @@ class ParameterDerivatives:
 
 
 def algorithms(chain: Chain, asked: ParameterDerivatives) -> tuple[Algorithm, ...]:
-    """Those that the functions run which are differentiated; none where no parameter is chosen."""
+    """Those that the functions run which are differentiated; none where no parameter is chosen.
+
+    A filter alone asks for no measure of the model's validity: of two equal stiffnesses the softer has no slope.
+    """
     if not asked.chosen:
         return ()
     whole = rows(chain) if asked.reported else rows(chain)[:1]
     told = (a for row in asked.measured or () for a in row.algorithms)
-    return tuple(dict.fromkeys((*(a for row in whole for a in Differentiable.of(chain, row).algorithms), *told)))
+    found = (*(a for row in whole for a in Differentiable.of(chain, row).algorithms), *told)
+    return tuple(dict.fromkeys(a for a in found if asked.reported or a is not MEASURING))
 
 
 def slopes(chain: Chain, asked: ParameterDerivatives) -> ConstantSlopes:

@@ -27,15 +27,18 @@ GROUPS = {
 ROUNDING = 1e-9
 
 
-def refuse_robot(model: RobotModel, what: str = "plan", instead: str = "give references of your own") -> None:
+def refuse_robot(
+    model: RobotModel, what: str = "plan", instead: str = "give references of your own", loops: bool = False
+) -> None:
     """Refuse robots whose coordinates are not those of joints with a drive each, of gears that twist, and of modes.
 
-    ``what``: there is none for them.
+    ``what``: there is none for them; ``loops``: those with loops, whose joints follow others, are taken.
     """
     chain = model.chain
     chain.refuse_quaternion_joints(what, instead)
     chain.refuse_floating_base(what, instead)
-    chain.refuse_loops(what, instead)
+    if not loops:
+        chain.refuse_loops(what, instead)
     others = {
         "transmissions": bool(chain.travels),
         "axes whose motion is given": bool(len(chain.prescribed)),

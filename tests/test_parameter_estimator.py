@@ -225,11 +225,6 @@ def test_an_update_whose_parameters_no_robot_has_changes_nothing():
     assert found.values[UPPER] < before[3][UPPER]
 
 
-def test_loops_are_refused():
-    with pytest.raises(UsageError, match="loops"):
-        ParameterEstimator(screwgen.derive(screwgen.load(example_file("parallelogram"))), [ParameterState("x", 1.0)])
-
-
 def test_a_filter_that_was_not_started_is_at_home_and_knows_its_parameters_as_stated():
     found = ParameterEstimator(rod(), [ParameterState(PAYLOAD, 0.2)])
     found.predict([1.0], None, 1e-3)

@@ -21,7 +21,6 @@ from test_parameter_estimator import (
     tip_error,
 )
 
-import screwgen
 from screwgen.backends.c.project import CProject
 from screwgen.cli.main import main
 from screwgen.errors import UsageError
@@ -216,10 +215,7 @@ def test_what_does_not_fit_gets_a_line(words):
         CProject(rod().chain, "0", **REFUSED[words])
 
 
-def test_loops_and_limits_of_efforts_are_refused():
-    closed = screwgen.derive(screwgen.load(example_file("parallelogram")))
-    with pytest.raises(UsageError, match="loops, for which there is no filter of parameters"):
-        CProject(closed.chain, "0", estimate="*.length")
+def test_limits_of_efforts_are_refused():
     limits = {"joint": {"axes": ["z"], "limits": [{"effort": 3.0}]}, "bodies": [{"at": "tip", "mass": 1.0}]}
     with pytest.raises(UsageError, match="it decides what a step holds of its inputs"):
         CProject(model_of(arm({"name": "rod", "length": 0.5} | limits)).chain, "0", estimate="*.effort")

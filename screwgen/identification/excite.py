@@ -11,9 +11,11 @@ import numpy as np
 
 from ..arguments import Numbers, array, seconds, whole
 from ..errors import UsageError
+from ..planning.drive_coordinates import DriveCoordinates
 from ..planning.joint_gains import gains as found_gains
 from ..planning.limits import motion_limits
 from ..planning.make import law_of
+from ..planning.members import Still
 from ..planning.plan import MotionPlan
 from ..planning.refusals import refuse_robot
 from ..planning.task import MotionLimits
@@ -24,10 +26,11 @@ from ..simulation.runs import Run
 from ..simulation.simulate import simulate
 from ..spec.columns import Column, Columns
 from ..spec.excitation import STEP, TIME
+from ..studies.equilibrium import equilibrium
 from .beside import how_of, windows_of_log
 from .evolution import minimised
 from .excitation import Excitation
-from .excited_motions import MotionMaker, Motions, broken_limit
+from .excited_motions import MotionMaker, Motions, RestingArm, broken_limit
 from .fourier import FourierSeries
 from .information import NOISE, Bench, log_of_motion
 from .logs import Log
@@ -73,7 +76,8 @@ def excite(
     drives the rotors, and the inputs known, and a sensor without `noise` has a hundredth of how much it varies in a
     random motion. The joints, of elastic drives the rotors over the ratio with efforts times the ratio, move
     along Fourier series about `start` (n_joints,) of frequencies up to `bandwidth`, Hz, a tenth of the sample rate at
-    most; both ends are at rest.
+    most; both ends are at rest. In loops as many joints do so as these leave free, those with drives before others, and
+    the limits of those that follow are kept, too; the law is to be stated then.
     `limits`: `lower`, `upper`, `rates`, `efforts` (n_joints,) and `strains`, tighter ones than those of the robot file;
     `strain`: of all entries of `model.strain_names`. `gains`: the law under which the motion is played, as
     :class:`PD`; without, :func:`screwgen.gains` finds one. `progress` is told a line per generation; an interruption
@@ -82,16 +86,21 @@ def excite(
     The motion is run on the model under its law. Raises UsageError where the run breaks a limit, which it names, or
     where an argument makes no sense.
     """
-    refuse_robot(model, "excitation", "state a motion of your own", more=False)
+    refuse_robot(model, "excitation", "state a motion of your own", more=False, loops=True)
     m, time, step = model.n_joints, seconds(time, "time"), seconds(step, "step")
     bounds = _limits(model, limits or {}, strain)
+    p = np.asarray(model.chain.parameters.values)
     begin = array(np.clip(np.zeros(m), bounds.lower, bounds.upper) if start is None else start, "start:", (m,))
+    resting = _resting(model, begin, p)
+    begin = DriveCoordinates(model.chain, p).driven(resting.q)
     if ((begin <= bounds.lower) | (begin >= bounds.upper)).any():
         raise UsageError(f"start: {begin.tolist()} is not within the joints' limits; state start between them")
-    if not (np.isfinite(bounds.rates) | np.isfinite(bounds.upper - bounds.lower)).all():
+    if not (np.isfinite(bounds.rates) | np.isfinite(bounds.upper - bounds.lower))[list(resting.leading)].all():
         raise UsageError("limits: ranges and rates leave a joint free to go any way; state rates")
     series = _series(time, step, 1.0 / (SLOW * step) if bandwidth is None else seconds(bandwidth, "bandwidth"))
-    maker = MotionMaker(model, series, begin, bounds, np.asarray(model.chain.parameters.values))
+    if gains is None and model.chain.closing.rows:
+        raise UsageError("gains: there are none found for robots with loops; state the law, as PD or in gains")
+    maker = MotionMaker(model, series, resting, bounds, p)
     law = gains if gains is not None else found_gains(model, [begin], step=step)
     rng = np.random.default_rng(whole(seed, "seed", 0))
     factors = rng.standard_normal((RANDOM, maker.size))
@@ -110,7 +119,7 @@ def excite(
     best = minimised(score, factors[np.argmin(known)], whole(generations, "generations", 0), rng, told)
     found = maker.largest(best[None])
     plan, by_chance = (_plan(maker, made, k, law) for made, k in ((found, 0), (random, middle)))
-    run = _checked(model, plan, bounds, step)
+    run = _checked(model, plan, bounds, step, resting.q)
     information = bench.information(found, 0, step)
     return Excitation(
         plan,
@@ -136,6 +145,17 @@ def _limits(model: RobotModel, given: Mapping[str, Any], strain: float) -> Motio
     if not strain > 0:
         raise UsageError(f"strain: is {strain}; it must be a number > 0")
     return replace(own, strains=np.minimum(own.strains, strain))
+
+
+def _resting(model: RobotModel, start: np.ndarray, p: np.ndarray) -> RestingArm:
+    """The arm at rest with its joints, of loops those that lead, where they are said to be."""
+    still = Still(model, p)
+    if not model.chain.closing.rows:
+        rest = still.held(start)
+        return RestingArm(still.drives.to_robot(rest.q), rest.torque, tuple(range(len(start))))
+    found = equilibrium(model, start, hold=True)
+    leading = tuple(model.q_names.index(name) for name in found.held_joints)
+    return RestingArm(found.q, still.drives.efforts(found.tau), leading)
 
 
 def _series(time: float, step: float, bandwidth: float) -> FourierSeries:
@@ -176,11 +196,12 @@ def _bench(
     for column, own in zip(columns.sensors, noise, strict=True):
         noisy[column.name] = noisy[column.name] + own * rng.standard_normal(len(log))
     windows = windows_of_log(model, Log(log.name, log.t, noisy), columns, window, p)
+    follow = windows.begin[0].follow
     deviation = np.median([x.deviation for x in windows.begin], axis=0)
+    deviation[follow] = deviation[model.nv + follow] = 0.0
     asked = unknowns_of_logs(model, columns, free, [log])
-    return Bench(
-        model, columns, asked, noise, deviation, windows.experiment.reach, window, how_of("modal_midpoint", 1, 1)
-    )
+    reach, how = windows.experiment.reach, how_of("modal_midpoint", 1, 1)
+    return Bench(model, columns, asked, noise, deviation, follow, reach, window, how)
 
 
 def _with_noise(columns: Columns, noise: np.ndarray) -> Columns:
@@ -218,7 +239,7 @@ def _deviation(information: np.ndarray) -> np.ndarray:
 
 def _plan(maker: MotionMaker, made: Motions, lane: int, law: Any) -> MotionPlan:
     """A motion as a plan for a law: at rest at both ends, and between samples with the means of what is held."""
-    model, held, still = maker.model, maker.drives.efforts(made.tau[lane]), maker.rest.torque
+    model, held, still = maker.model, maker.drives.efforts(made.tau[lane]), maker.begin.torque
     tau = np.vstack([still, (held[:-2] + held[1:-1]) / 2, still])
     q, v, a = made.references[lane]
     held_by = law_of(law, model.n_joints)
@@ -226,9 +247,10 @@ def _plan(maker: MotionMaker, made: Motions, lane: int, law: Any) -> MotionPlan:
     return MotionPlan(model.robot.name, joints, maker.series.t, q, v, a, tau, held_by.kp, held_by.kd, efforts)
 
 
-def _checked(model: RobotModel, plan: MotionPlan, limits: MotionLimits, step: float) -> Run:
+def _checked(model: RobotModel, plan: MotionPlan, limits: MotionLimits, step: float, q0: np.ndarray) -> Run:
     """The run of a motion under its law; raises UsageError where it breaks a limit."""
-    run = simulate(model, plan.time, step, controller=Played.of(plan))
+    played = Played.of(plan)
+    run = simulate(model, plan.time, step, controller=played, q0=q0 if model.chain.closing.rows else None)
     bent = strains(model, run.q[None], np.asarray(model.chain.parameters.values))[0]
     if broken := broken_limit(limits, model, run, bent):
         raise UsageError(

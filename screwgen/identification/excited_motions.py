@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from ..errors import UsageError
 from ..planning.drive_coordinates import DriveCoordinates
-from ..planning.members import Still
 from ..planning.task import MotionLimits
 from ..robot_model import RobotModel
-from ..simulation.feedforward import moved_model
+from ..simulation.feedforward import moved, moved_model
 from ..simulation.measured import strain
 from ..simulation.rollout import rollout
 from ..simulation.runs import Run
@@ -46,6 +46,18 @@ def broken_limit(limits: MotionLimits, model: RobotModel, run: Run, strain: np.n
 
 
 @dataclass(frozen=True, eq=False)
+class RestingArm:
+    """Where a motion begins, at rest."""
+
+    q: np.ndarray
+    """(nq,): coordinates of the robot."""
+    torque: np.ndarray
+    """(n_joints,): the efforts that hold it, as drives have them."""
+    leading: tuple[int, ...]
+    """The joints that move along series: all, in loops as many as these leave free; the others follow."""
+
+
+@dataclass(frozen=True, eq=False)
 class Motions:
     """Motions (lanes, samples, …): coordinates, rates, and inputs held from each sample to the next."""
 
@@ -60,26 +72,33 @@ class MotionMaker:
     """Makes motions of a robot from factors of series."""
 
     def __init__(
-        self, model: RobotModel, series: FourierSeries, start: np.ndarray, limits: MotionLimits, parameters: np.ndarray
+        self, model: RobotModel, series: FourierSeries, begin: RestingArm, limits: MotionLimits, parameters: np.ndarray
     ):
-        self.model, self.series, self.start, self.limits, self.p = model, series, start, limits, parameters
-        self.step = float(series.t[1])
-        still = Still(model, parameters)
-        self.rest, self.drives = still.held(start), still.drives
+        self.model, self.series, self.limits, self.p = model, series, limits, parameters
+        self.step, self.begin, self.drives = float(series.t[1]), begin, DriveCoordinates(model.chain, parameters)
 
     @property
+    def start(self) -> np.ndarray:
+        """(n_joints,): where joints begin, as their drives have them."""
+        return self.drives.driven(self.begin.q)
+
+    @cached_property
     def led(self) -> RobotModel:
-        """The robot whose joints move as is given."""
-        return moved_model(self.model)
+        """The robot whose leading joints move as is given."""
+        if not self.model.chain.closing.rows:
+            return moved_model(self.model)
+        key = ("led", self.begin.leading)
+        return self.model.once(key, lambda: RobotModel(moved(self.model.robot, self.begin.leading)))
 
     @property
     def size(self) -> int:
         """The number of factors of a motion."""
-        return self.series.size * self.model.n_joints
+        return self.series.size * len(self.begin.leading)
 
     def largest(self, factors: np.ndarray) -> Motions:
         """The largest motions within limits with factors in these proportions (lanes, size); inputs at all samples."""
-        own = factors.reshape(len(factors), self.series.size, -1)
+        own = np.zeros((len(factors), self.series.size, self.model.n_joints))
+        own[..., list(self.begin.leading)] = factors.reshape(len(factors), self.series.size, -1)
         shape = np.stack(
             [basis @ own for basis in (self.series.values, self.series.rates, self.series.accelerations)], 1
         )
@@ -102,31 +121,47 @@ class MotionMaker:
 
     def _within_ranges(self, shape: np.ndarray) -> np.ndarray:
         """The largest factors (lanes,) with which ranges and rates are kept."""
-        limits = self.limits
+        limits, own = self.limits, list(self.begin.leading)
         with np.errstate(divide="ignore", invalid="ignore"):
             room = [
-                (limits.upper - self.start) / shape[:, 0].max(axis=1),
-                (self.start - limits.lower) / -shape[:, 0].min(axis=1),
-                limits.rates / np.abs(shape[:, 1]).max(axis=1),
+                (limits.upper - self.start)[own] / shape[:, 0].max(axis=1)[:, own],
+                (self.start - limits.lower)[own] / -shape[:, 0].min(axis=1)[:, own],
+                limits.rates[own] / np.abs(shape[:, 1]).max(axis=1)[:, own],
             ]
         room = [np.where(x >= 0, x, np.inf) for x in room]
         return HEADROOM * np.min(np.concatenate(room, axis=1), axis=1)
 
     def _run(self, references: np.ndarray) -> Motions:
         """Motions of joints along references (lanes, 3, samples, joints)."""
-        x0 = np.concatenate([self.drives.to_robot(self.rest.q), np.zeros(self.model.nv)])
+        x0 = np.concatenate([self.begin.q, np.zeros(self.model.nv)])
         given = np.diff(references[:, 1], axis=1) / self.step * np.array(self.drives.ratios)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # what is said of single motions is said of the one that is chosen
             run = rollout(self.led, x0, given, step=self.step, parameters=self.p)
         held = np.concatenate([run.drive_effort[:, :-1], run.drive_effort[:, -2:-1]], axis=1)
         held[~run.ok] = np.inf
+        if following := [k for k in range(self.model.n_joints) if k not in self.begin.leading]:
+            references, driven = references.copy(), self.drives.driven
+            for k, curve in enumerate((driven(run.q), driven(run.v), np.gradient(driven(run.v), self.step, axis=1))):
+                references[:, k, :, following] = np.moveaxis(curve[..., following], 2, 0)
         return Motions(run.q, run.v, held, references)
 
+    def _followed(self, made: Motions) -> np.ndarray:
+        """The largest shares (lanes,) of ranges and rates that joints take which follow others in loops."""
+        limits, (q, v) = self.limits, np.moveaxis(made.references[:, :2], 1, 0)
+        way = q - self.start
+        room = np.where(way > 0, limits.upper - self.start, limits.lower - self.start)
+        shares = np.maximum(way / room, np.abs(v) / limits.rates)
+        following = [k for k in range(self.model.n_joints) if k not in self.begin.leading]
+        return np.max(shares[..., following], axis=(1, 2), initial=0.0)
+
     def strained(self, made: Motions) -> np.ndarray:
-        """The largest shares (lanes,) that motions take of what limits and headroom leave of efforts and strains."""
+        """The largest shares (lanes,) that motions take of what limits and headroom leave: of efforts and strains, and
+        of what joints that follow have."""
         with np.errstate(invalid="ignore"):
-            share = np.max(np.abs(self.drives.efforts(made.tau)) / self.limits.efforts, axis=(1, 2))
+            efforts = np.abs(self.drives.efforts(made.tau)) / self.limits.efforts
+            share = np.max(efforts[..., list(self.begin.leading)], axis=(1, 2))
+            share = np.fmax(share, self._followed(made))
         if np.isfinite(self.limits.strains).any():
             bent = np.abs(strain(self.model, made.q, self.p)).max(axis=1)
             share = np.maximum(share, (bent / self.limits.strains).max(axis=1))

@@ -34,6 +34,8 @@ class Bench:
     """(sensors,): standard deviations, in units of columns."""
     deviation: np.ndarray
     """(nv + nvz,): how well readings say where windows begin."""
+    follow: np.ndarray
+    """The coordinates that follow from others in loops where windows begin."""
     reach: int
     window: float
     how: MotionMethod
@@ -48,7 +50,7 @@ class Bench:
         experiment = Experiment(self.model, log, self.columns, self.reach)
         cuts = experiment.cut(self.window, 2 * self.reach + 1)
         x = np.hstack([made.q[lane], made.v[lane]])
-        begin = [StartState(x[first], self.deviation) for first, _ in cuts]
+        begin = [StartState(x[first], self.deviation, self.follow) for first, _ in cuts]
         windows = Windows(experiment, self.signals, np.array([first for first, _ in cuts]), cuts[0][1], begin)
         fit = Fit(Problem(self.model, [windows], self.unknowns, self.how), robust=False)
         at = fit.start(np.zeros(len(self.unknowns)))

@@ -28,17 +28,23 @@ ROUNDING = 1e-9
 
 
 def refuse_robot(
-    model: RobotModel, what: str = "plan", instead: str = "give references of your own", more: bool = True
+    model: RobotModel,
+    what: str = "plan",
+    instead: str = "give references of your own",
+    more: bool = True,
+    loops: bool = False,
 ) -> None:
     """Refuse robots whose coordinates are not those of joints with a drive each, of gears that twist, and of modes.
 
     ``what``: there is none for them. ``more``: it moves axes whose motion is given, too, and lets inputs of other kinds
-    stand at 0, so that brakes are open and tendons slack.
+    stand at 0, so that brakes are open and tendons slack. ``loops``: it takes robots with loops, whose joints follow
+    others.
     """
     chain = model.chain
     chain.refuse_quaternion_joints(what, instead)
     chain.refuse_floating_base(what, instead)
-    chain.refuse_loops(what, instead)
+    if not loops:
+        chain.refuse_loops(what, instead)
     others = {
         "transmissions": bool(chain.travels),
         "axes whose motion is given": bool(chain.prescribed) and not more,

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..algorithms.estimated_parameters import LEAST, check_estimated
+from ..algorithms.estimated_parameters import LEAST
+from ..backends.numpy.estimated import check_estimated
 from ..errors import UsageError
 from ..topology.chain import Chain
 
@@ -39,7 +40,6 @@ class ParameterStates:
     """Those of a filter, in the order of the robot's parameters, whose values ``p`` (n,) are those at the start."""
 
     def __init__(self, chain: Chain, states: Sequence[ParameterState], p: np.ndarray):
-        chain.refuse_loops("filter of parameters", "leave the parameters out")
         found = {chain.parameters.place(one.parameter): one for one in states}
         if len(found) < len(states) or not found:
             raise UsageError("states: each parameter must be named once, and one at least; leave out the others")

@@ -21,7 +21,7 @@ from ..backends.numpy.covariance import corrected, root
 from ..backends.numpy.covariance import deviations as of_innovations
 from ..backends.numpy.held import HeldChain
 from ..backends.numpy.numeric import EPSILON, Numeric, function_of, singular
-from ..errors import DivergedError, SingularError
+from ..errors import DivergedError, ScrewgenError, SingularError
 from ..ir.program import Program
 from ..robot_model import RobotModel
 from ..runtime.estimator import NOT_FINITE, OPEN, TOO_LONG
@@ -83,10 +83,14 @@ class Estimator(KalmanFilter):
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None:
         q, v, _ = self._shut(self.model.chain.unit(q), v)
         q, v, T = self._shut(q, v)  # the projection is that at closed rates
-        S = T @ self._conditioned(np.diag(np.concatenate([deviation_q, deviation_v])))
+        S = T @ self._conditioned(self._spread(np.concatenate([deviation_q, deviation_v])))
         P = S @ S.T
         self._judgements = self._none_yet()
         self._put(q, v, P)
+
+    def _spread(self, deviations: np.ndarray) -> np.ndarray:
+        """The root of the covariance of all states where those of q and v have these deviations, each by itself."""
+        return np.diag(deviations)
 
     def _put(self, q: np.ndarray, v: np.ndarray, P: np.ndarray) -> None:
         self._q, self._v, self._P = np.array(q, float), np.array(v, float), np.array(P, float)
@@ -175,13 +179,21 @@ class Estimator(KalmanFilter):
             found[row.name] = Innovation(rest, normalised, ~np.isnan(normalised) & (weight == 0), weight)
         if used:
             dx, S, squared = corrected(S, *(np.concatenate(x) for x in zip(*used, strict=True)))
-            n, consistency = self.model.nv, Consistency(squared, sum(len(left) for _, left, *_ in used))
-            dx, more = np.split(dx, [chain.n_changes])
-            learnt = self._learnt(more)
-            self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], S @ S.T)
-            self._take(learnt)
+            consistency = Consistency(squared, sum(len(left) for _, left, *_ in used))
+            dq, dv, more = np.split(dx, [chain.nv, chain.n_changes])
+            self._corrected(dq, dv, more, S @ S.T)
         self._judgements |= judgements
         return found, consistency
+
+    def _corrected(self, dq: np.ndarray, dv: np.ndarray, more: np.ndarray, P: np.ndarray) -> None:
+        """Takes an update: its loops close at the parameters that it finds."""
+        before = self._at
+        self._take(self._learnt(more))
+        try:
+            self._accept(self._moved(self._q, dq), self._v + dv, P)
+        except ScrewgenError:
+            self._take(before)
+            raise
 
     def _learnt(self, change: np.ndarray) -> AtParameters:
         """The model after an update that says so much of entries of the estimate behind [q; v]."""
@@ -257,27 +269,26 @@ class Estimator(KalmanFilter):
         self._put(q, v, P)
 
     def _shut(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The closed state, and the projection (nv + nvz, nv + nvz) of changes onto motions that keep it closed."""
-        n = self.model.nv
-        J = J_q = reach = np.zeros((0, n))
-        self._rows_of_loops = J, J_q
+        """The closed state, and the projection of changes of all states onto those that keep it closed."""
+        n, T = self.model.nv, np.eye(len(self._P))
+        A = B = self._rows_of_loops = np.zeros((0, len(T)))
+        reach = np.zeros((n, 0))
         if not self.model.chain.closing.rows:
-            return q, v, np.eye(self.model.chain.n_changes)
+            return q, v, T
         for k in range(ROUNDS * CHORDS):
             if k % CHORDS == 0:
-                J, J_q, reach = self._directions(q, v)
+                A, B, reach = self._directions(q, v)
             q = self._moved(q, -reach @ self._numeric.gaps(q, None)[0])
         rows, frames = self._numeric.gaps(q, None)[0], self._numeric.mismatch(q)
         if not ((np.abs(rows) < CLOSED).all() and (frames < EPSILON**0.5).all()):
             raise SingularError(OPEN)
-        self._rows_of_loops = J, J_q
-        keep = np.eye(n) - reach @ J
-        T = np.eye(self.model.chain.n_changes)
-        T[: 2 * n, : 2 * n] = np.block([[keep, np.zeros((n, n))], [-reach @ J_q @ keep, keep]])
-        return q, np.append(v[:n] - reach @ (J @ v[:n]), v[n:]), T
+        self._rows_of_loops = np.vstack([A, B])
+        T[:n] -= reach @ A
+        T[n : 2 * n] -= reach @ (B @ T)
+        return q, np.append(v[:n] - reach @ (A[:, :n] @ v[:n]), v[n:]), T
 
     def _directions(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """``J``, ``J_q`` of ``J v``, and what gaps take to close, by the inertia of a step of one second."""
+        """The slopes (rows, states) of gaps and of their rates, and what gaps take to close in a step of one second."""
         chain, own = self.model.chain, self._stepper.dynamics.own
         own = own.over(q, v, FIRM)
         M = self._numeric.mass_matrix(q)
@@ -285,13 +296,18 @@ class Estimator(KalmanFilter):
         M[at, at] += chain.modal_product(own.added(FIRM)[:, None], np.eye(chain.n_given))
         _, J, J_q, *_ = (np.array(x) for x in closing(self.model)(q, v, np.zeros(len(chain.closing.rows)), self._p))
         answers = prescribed.answers(chain, M, J.T)
-        return J, J_q, self._numeric.row_forces(J @ answers, answers.T).T
+        (gap_p, rate_p), none = self._gaps_by_p(q, v), np.zeros((len(J), chain.n_internal))
+        A, B = np.hstack([J, np.zeros_like(J), none, gap_p]), np.hstack([J_q, J, none, rate_p])
+        return A, B, self._numeric.row_forces(J @ answers, answers.T).T
+
+    def _gaps_by_p(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The slopes (rows, k) of the gaps and of their rates with states behind those of v."""
+        none = np.zeros((len(self.model.chain.closing.rows), 0))
+        return none, none
 
     def _conditioned(self, S: np.ndarray) -> np.ndarray:
         """The root of a covariance where it is known that the loops are closed, up to rounding."""
-        J, J_q = self._rows_of_loops
-        rows = np.vstack([np.hstack([J, np.zeros_like(J)]), np.hstack([J_q, J])])
-        for H in np.hstack([rows, np.zeros((len(rows), self.model.chain.n_internal))]):
+        for H in self._rows_of_loops:
             size = H * H @ np.sum(S * S, axis=1)
             if size > 0:
                 S = corrected(S, H[None], np.zeros(1), np.array([EPSILON * size]))[1]

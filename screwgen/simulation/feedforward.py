@@ -7,7 +7,8 @@ a drive is to hold until the next sample.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
+from itertools import count
 from typing import NamedTuple
 
 import numpy as np
@@ -20,7 +21,7 @@ from ..planning.members import Still
 from ..planning.refusals import refuse_robot
 from ..planning.track import check_limits
 from ..robot_model import RobotModel
-from ..spec.joint import MOTION
+from ..spec.joint import MOTION, TORQUE
 from ..spec.robot import Robot
 from .integrate import CasadiEvaluator, JointState, JointStepper
 
@@ -150,10 +151,11 @@ def moved_model(model: RobotModel) -> RobotModel:
     return model.once("feedforward", lambda: RobotModel(moved(model.robot)))
 
 
-def moved(robot: Robot) -> Robot:
-    """The robot whose axes all move as given, under a name of its own."""
-    links = []
+def moved(robot: Robot, axes: Container[int] | None = None) -> Robot:
+    """The robot whose axes, by default all, or those of these numbers, move as given, under a name of its own."""
+    links, numbers = [], count()
     for link in robot.links:
-        joint = link.joint.model_copy(update={"actuation": (MOTION,) * len(link.joint.axes)})
-        links.append(link.model_copy(update={"joint": joint}) if link.joint.axes else link)
+        own = [axes is None or next(numbers) in axes for _ in link.joint.axes]
+        joint = link.joint.model_copy(update={"actuation": tuple(MOTION if x else TORQUE for x in own)})
+        links.append(link.model_copy(update={"joint": joint}) if any(own) else link)
     return robot.model_copy(update={"name": NAME.format(robot.name), "links": tuple(links)})

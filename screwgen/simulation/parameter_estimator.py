@@ -12,11 +12,13 @@ from typing import Any
 
 import numpy as np
 
+from ..algorithms.estimated_parameters import gaps
 from ..algorithms.measurement import Measurement
 from ..algorithms.measurement_slopes import expected_along
 from ..algorithms.parameter_slopes import Differentiable, along
 from ..algorithms.robot_functions import BY_NAME
 from ..arguments import Given
+from ..errors import ScrewgenError
 from ..ir.program import Program
 from ..lazily import linalg
 from ..robot_model import RobotModel
@@ -27,8 +29,9 @@ from .estimator import AtParameters, Compared, Estimator
 class ParameterEstimator(Estimator):
     """The filter in NumPy over q, v and ``states``, parameters of the robot; the rest as of :class:`.Estimator`.
 
-    ``covariance`` has their rows behind those of v, in the order of the robot's parameters. Robots with loops are
-    refused, and parameters of what a step holds of its inputs, as limits of efforts.
+    ``covariance`` has their rows behind those of v, in the order of the robot's parameters. Where loops close the tree
+    its changes keep them closed: coordinates follow the lengths of links. Refused are parameters that no motion
+    follows, as what tilts a hinge out of its plane, and those of what a step holds of its inputs, as limits of efforts.
     """
 
     states: ParameterStates
@@ -48,9 +51,16 @@ class ParameterEstimator(Estimator):
         return self._p[self.states.places]
 
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None:
-        super()._start(q, v, deviation_q, deviation_v)
+        before = self._at
         self._take(self._with_values(self.states.start))
-        self._P = self._with_parameters(self._P)
+        try:
+            super()._start(q, v, deviation_q, deviation_v)
+        except ScrewgenError:
+            self._take(before)
+            raise
+
+    def _spread(self, deviations: np.ndarray) -> np.ndarray:
+        return np.diag(np.append(deviations, self.states.deviation))
 
     def _with_parameters(self, P: np.ndarray) -> np.ndarray:
         """A covariance of states with that of the parameters as they begin."""
@@ -90,6 +100,14 @@ class ParameterEstimator(Estimator):
         given = {"q": q, "v": v, "tau": held, "w_ext": np.ravel(w_ext), "p": self._p}
         found = [self._found(self._dynamics, given | {"d_p": unit})["d_vdot"] for unit in np.eye(len(self.states))]
         return np.array(found).T
+
+    def _gaps_by_p(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        key = ("gaps along", tuple(self.states.places))
+        program = self.model.once(key, lambda: along(self.model.chain, gaps(self.model.chain), self.states.places))
+        given = {"q": q, "v": v, "p": self._p}
+        found = [self._found(program, given | {"d_p": unit}) for unit in np.eye(len(self.states))]
+        by_gap, by_rate = (np.array([one[name] for one in found]).T for name in ("d_gap", "d_rate"))
+        return by_gap, by_rate
 
     @cached_property
     def _dynamics(self) -> Program:

@@ -62,6 +62,7 @@ class Played(PD):
     def rest(self, model: RobotModel, p: np.ndarray) -> np.ndarray:
         """The coordinates (nq,) in which a model rests under the law before the plan begins."""
         assert self.plan is not None
+        model.chain.refuse_loops("rest of a plan", "state q0")
         plan, still = self.plan, Still(model, p)
         held = still.held(plan.q[0]).q
         law = JointLaw(plan.kp, plan.kd)

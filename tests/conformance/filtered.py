@@ -13,6 +13,7 @@ from screwgen.algorithms.measurement import Measurement
 from screwgen.algorithms.measurement_names import chosen
 from screwgen.algorithms.measurements import AT_MARKERS, FURTHER
 from screwgen.backends.numpy.dae_step import SERIES
+from screwgen.backends.numpy.estimated import opening
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.runtime.measurements import known
 from screwgen.runtime.parameter_states import ParameterState
@@ -87,6 +88,8 @@ def parameters(case: Case) -> None:
         dict(zip(model.parameter_names, model.parameter_values, strict=True)),
     )
     offered = [name for name in rng.permutation(list(stated)) if stated[name] and not name.endswith(".effort")]
+    opened = opening(model.chain, [model.parameter_names.index(name) for name in offered[:8]])
+    offered = [name for name in offered[:8] if model.parameter_names.index(name) not in opened]
     states = [ParameterState(name, 0.05 * abs(stated[name]), 0.01 * stated[name] ** 2) for name in offered[:3]]
     own = ParameterEstimator(model, states, measurements=names)
     filters = CompiledEstimator(model, flags=QUICK, measurements=names, states=states), own

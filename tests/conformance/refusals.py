@@ -33,10 +33,6 @@ REFUSALS: tuple[Refusal, ...] = (
         Refusal("derivatives of wrenches", (x,), "those of robots with loops are not derived", "not derived for loops")
         for x in LOOPED
     ),
-    *(
-        Refusal("estimator of parameters", (x,), "there is no filter of parameters", "not derived for loops")
-        for x in LOOPED
-    ),
     Refusal("identification", ("moving",), "are not identified yet", "bases that move as is given follow no reading"),
     *(
         Refusal("identification", (x, base), "are identified on a fixed base", "windows close loops of such arms alone")

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from ...algorithms.estimated_parameters import check_estimated
+from ...algorithms.estimated_parameters import gaps
+from ...algorithms.functions import MEASURING
 from ...algorithms.measurement import Measurement
 from ...algorithms.parameter_slopes import BY_P, ConstantSlopes, Differentiable
 from ...algorithms.robot_function import RobotFunction
@@ -19,6 +20,7 @@ from ...integrators.method import Method
 from ...integrators.traced import step
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
+from ..numpy.estimated import check_estimated
 from .code import Place, entries
 from .derivatives import say_time
 from .outputs import count
@@ -66,12 +68,16 @@ class ParameterDerivatives:
 
 
 def algorithms(chain: Chain, asked: ParameterDerivatives) -> tuple[Algorithm, ...]:
-    """Those that the functions run which are differentiated; none where no parameter is chosen."""
+    """Those that the functions run which are differentiated; none where no parameter is chosen.
+
+    A filter alone asks for no measure of the model's validity: of two equal stiffnesses the softer has no slope.
+    """
     if not asked.chosen:
         return ()
     whole = rows(chain) if asked.reported else rows(chain)[:1]
     told = (a for row in asked.measured or () for a in row.algorithms)
-    return tuple(dict.fromkeys((*(a for row in whole for a in Differentiable.of(chain, row).algorithms), *told)))
+    found = (*(a for row in whole for a in Differentiable.of(chain, row).algorithms), *told)
+    return tuple(dict.fromkeys(a for a in found if asked.reported or a is not MEASURING))
 
 
 def slopes(chain: Chain, asked: ParameterDerivatives) -> ConstantSlopes:
@@ -107,7 +113,7 @@ def content(chain: Chain, asked: ParameterDerivatives, place: Place, methods: Ma
         return None
     by, own = By(chain, asked.chosen, once(slopes, chain, asked), place), parameters(chain.robot)
     made = _reported(by, methods) if asked.reported else []
-    made += [_accelerations(by)] if asked.estimated else []
+    made += _estimated(by) if asked.estimated else []
     say_time(chain, "derivatives by parameters", sum(one["operations"] for one in made))
     placed = lambda name, k: f"p->{place_of(own[k])}" if name == "p" else f"{SLOPES}->slope[{k}]"  # noqa: E731
     return {
@@ -132,12 +138,16 @@ def _reported(by: By, methods: Mapping[str, Method]) -> list[dict]:
     ]
 
 
-def _accelerations(by: By) -> dict:
-    """The derivatives of the accelerations alone."""
-    row = BY_NAME["forward_dynamics"]
+def _estimated(by: By) -> list[dict]:
+    """The derivatives that a filter needs: of the accelerations alone, and of what closes loops."""
+    row, rows = BY_NAME["forward_dynamics"], str(len(by.chain.closing.rows))
     whole, said = Differentiable.of(by.chain, row), _said(by.chain, row)
     what = replace(whole, name="accelerations", results={"vdot": whole.results["vdot"]})
-    return by.function(what, {"vdot": said["vdot"]}, "The accelerations under the inputs as they are given.")
+    made = [by.function(what, {"vdot": said["vdot"]}, "The accelerations under the inputs as they are given.")]
+    if not by.chain.closing.rows:
+        return made
+    of_rows = {"gap": (rows, "gaps of the loops' rows, m or of cosines"), "rate": (rows, "their rates")}
+    return [*made, by.function(gaps(by.chain), of_rows, "How far the loops are open.")]
 
 
 def _said(chain: Chain, row: RobotFunction) -> dict[str, tuple[str, str]]:

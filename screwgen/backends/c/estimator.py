@@ -47,6 +47,7 @@ def content(chain: Chain, rows: Sequence[Measurement], baked: bool, place: Place
         "rows": measured,
         "numbers": [_number(number, chain, baked, states > 0) for row in rows for number in row.numbers],
         "states": parameter_states.content(chain, by_p) if states else None,
+        "closed": bool(chain.closing.rows),
         "routines": routines.functions,
         "slopes_of_stumpff": slopes(programs),
         "switches": any("on" in program.operations for program in programs),

@@ -205,7 +205,7 @@ class CProject:
             "sums": check.sums(chain, self._cases, self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             **self._features,
-            FEATURES: self._features[FEATURES] + self.by_p.features,
+            FEATURES: self.by_p.features + self._features[FEATURES],
             "outputs": self._told(OUTPUTS) if OUTPUTS in self.reports else None,
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
             "levers": once(levers.content, chain, baked, fused_place),

@@ -32,6 +32,13 @@ def of_function(numeric: Numeric, row: RobotFunction, *given: Loads, of: Chosen 
     return _found(numeric, Differentiable.of(numeric.chain, row), dict(zip(row.names, values, strict=True)), of)
 
 
+def slopes(
+    numeric: Numeric, what: Differentiable, given: Mapping[str, Sequence[float]], places: Sequence[int]
+) -> tuple[np.ndarray, ...]:
+    """The derivatives of the results of ``what`` by the parameters at these places, which number the last axis."""
+    return _slopes(numeric, what, given, tuple(places), None)
+
+
 def of_step(
     numeric: Numeric,
     q: Loads,
@@ -56,11 +63,21 @@ def _found(
     of: Chosen,
     method: Method | None = None,
 ) -> Any:
-    chosen = numeric.chain.parameters.chosen(of)
+    parts = _slopes(numeric, what, given, numeric.chain.parameters.chosen(of), method)
+    return parts if len(parts) > 1 else parts[0]
+
+
+def _slopes(
+    numeric: Numeric,
+    what: Differentiable,
+    given: Mapping[str, Sequence[float]],
+    chosen: tuple[int, ...],
+    method: Method | None,
+) -> tuple[np.ndarray, ...]:
     inputs = {**given, "p": numeric.p, "d_p": list(np.eye(len(chosen)))}
     outputs = numeric.whole((what.name, method, chosen), lambda: along(numeric.chain, what, chosen), inputs)
     parts = []
     for name, shape in what.results.items():
         rows = [np.broadcast_to(x, len(chosen)) for x in outputs[f"d_{name}"]]
         parts.append(np.array(rows, float).reshape(math.prod(shape), len(chosen)).reshape(*shape, len(chosen)))
-    return tuple(parts) if len(parts) > 1 else parts[0]
+    return tuple(parts)

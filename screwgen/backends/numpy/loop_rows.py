@@ -74,6 +74,11 @@ def choose_rows(chain: Chain) -> None:
     chain.closing = replace(closing, rows=chosen, idle=idle, overconstrained=overconstrained)
 
 
+def closed_postures(numeric: Numeric) -> list[np.ndarray]:
+    """Some postures with closed loops, among them that near home where there is one."""
+    return _closed_places(numeric, _starts(numeric.chain, np.random.default_rng(0)))
+
+
 def _starts(chain: Chain, rng: np.random.Generator) -> np.ndarray:
     """Postures (SEEDS, nq) of straight links: that at home, and others without pattern."""
     out, joints = np.tile(np.array(chain.home), (SEEDS, 1)), slice(chain.base_q, chain.eta_q)

@@ -79,7 +79,7 @@ LINES = {
     "equilibrium massless.toml": "links[0].section.rhoA",
     "equilibrium ella.toml -o x.json": "no such option: -o",
     "equilibrium ella.toml --q 1,2": "--q: has 2 numbers; it must have 3 finite joint angles",
-    "equilibrium ella.toml --q 1,2,nan": "it must have 3 finite joint angles",
+    "equilibrium ella.toml --q 1,2,nan": "--q: 1,2,nan is not finite; it must have 3 finite joint angles",
     "equilibrium ella.toml --q 1,2,up": "--q: '1,2,up' is no list of numbers",
     "equilibrium ella.toml --q": "option '--q' requires an argument",
     "equilibrium ella.toml --tau 1": "--tau: has 1 numbers; it must have 3 finite joint torques",

@@ -38,7 +38,9 @@ def numbers(quantity: str, given: str, size: int, what: str, option: str = "") -
     except ValueError:
         wanted = f"give {size} {what}, as 0.1,-0.2"
         raise UsageError(f"{option}: '{one_line(given)}' is no list of numbers; {wanted}") from None
-    if len(out) != size or not np.isfinite(out).all():
+    if len(out) != size:
         raise UsageError(f"{option}: has {len(out)} numbers; it must have {size} finite {what}, separated by commas")
+    if not np.isfinite(out).all():
+        raise UsageError(f"{option}: {one_line(given)} is not finite; it must have {size} finite {what}")
     with refusals(option):
         return np.array([within(quantity)(x) for x in out.tolist()])

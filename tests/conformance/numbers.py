@@ -50,7 +50,8 @@ def alike(case: Case, function: RobotFunction, found, expected: np.ndarray) -> N
     taken, size = float(np.max(np.abs(case.judge.taken), initial=0.0)), 0.0
     if any(of.unit == "m/s^2" for of in function.results.values()) and np.max(np.abs(expected)) < LOCKED * taken:
         size = taken
-    tolerance = case.solved if FORWARD in function.algorithms else case.agreement
+    solved = FORWARD in function.algorithms or function.name == "inverse_dynamics_with_loops"
+    tolerance = case.solved if solved else case.agreement
     near(found, expected, tolerance, function.name, size)
 
 
@@ -79,7 +80,8 @@ def judge(case: Case) -> None:
         near(found[0][j.outer.links], poses[R], case.tolerance, R)
         near(found[1][j.outer.links], poses[place], case.tolerance, place)
     twist = j.oracle.tip_twists(x["q"], x["v"])[-1].reshape(2, 3) @ poses["tip_R"][-1].T
-    near(tip_jacobian(case) @ v[: case.model.nv], twist.ravel(), case.tolerance, "twist of the last tip")
+    J, rates = tip_jacobian(case), v[: case.model.nv]  # a loop may hold the tip, whose parts then balance
+    near(J @ rates, twist.ravel(), case.tolerance, "twist of the last tip", np.max(np.abs(J) @ np.abs(rates)))
 
 
 def inverse_with_loops(case: Case) -> None:

@@ -42,7 +42,7 @@ from .fields import (
     stumpff_terms,
     topology,
 )
-from .links import WATCHED, WITHIN, Links, sparsity
+from .links import WATCHED, WITHIN, links_of, sparsity
 from .parameters import bodies, changing_parameter, comments, defaults, limits, parameter_structs, place
 from .runs import RUNS
 from .written import once
@@ -94,14 +94,14 @@ class CProject:
         self.reports = PARTS if outputs is True else tuple(outputs or ())
         self.name, self.methods = chain.robot.name, with_built_in(methods)
         self.by_p = asked_by_p(chain, by_p, estimate, self.measurements, binding == "baked")
-        self.baked = fused.baked(chain) if binding == "baked" else None
-        self.links = Links(chain, self.baked)
+        self.baked = once(fused.baked, chain) if binding == "baked" else None
         self.asked, self.layout = layout, self._layout(layout)
-        self.links.joint_form = self.layout == "modular"
+        self.links = once(links_of, chain, binding == "baked", self.layout == "modular")
 
     def _layout(self, asked: str) -> str:
         """``fused`` or ``modular``; ``auto`` chooses the faster one."""
-        passages = self.links.passages("joint_dynamics", WATCHED)
+        links = once(links_of, self.chain, self.binding == "baked", True)
+        passages = links.passages("joint_dynamics", WATCHED)
         size = sizes(p.program for p in passages)
         if asked == "fused" and size > FUSED_MOST:
             said = f"robot '{self.name}': layout 'fused' would be one function of {size} operations"
@@ -239,7 +239,7 @@ class CProject:
     @cached_property
     def fused(self) -> Program:
         """The joint form in one program."""
-        return fused.complete_dynamics(self.chain, "baked" if self.baked is not None else "constants")
+        return once(fused.complete_dynamics, self.chain, "baked" if self.baked is not None else "constants")
 
     @property
     def fused_lines(self) -> list[str]:

@@ -197,10 +197,11 @@ def build_cloud(link, q, angles, where, parent_R, parent_point, section_rotation
     places, count = ca.DM(link.undeformed()), len(link.masses)
     exact, sections = hasattr(link, "points"), None
     if exact:
-        at = link.places(eta, np.append(link.nodes, 1.0))
-        tip_point, tip_R = origin + R @ at[:, -1], R @ link.rotation_at(eta, 1.0)
+        rotations = link.rotations(eta)
+        at = link.places(eta, np.append(link.nodes, 1.0), rotations)
+        tip_point, tip_R = origin + R @ at[:, -1], R @ link.rotation_at(eta, 1.0, rotations)
         placed = [ca.repmat(origin, 1, count) + R @ at[:, :-1]]
-        sections = ca.horzcat(*[R @ x for x in link.rotations(eta)])
+        sections = ca.horzcat(*[R @ x for x in rotations])
         spin_inertia = link.section_inertia * link.length * link.section_weights
     else:
         tip_point = origin + R @ link.tip_place(eta)

@@ -7,6 +7,7 @@ and everything else are derived from them by the oracle. No package code.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cache
 from itertools import pairwise
 
 import casadi as ca
@@ -50,8 +51,7 @@ class ExactLink(Link):
                 sine, cosine = np.sqrt(2) * np.sin(wave * s), np.sqrt(2) * np.cos(wave * s)
                 out[d] = np.array([sine, wave * cosine, -(wave**2) * sine])
                 continue
-            functions = clamped_free(count) if self.basis == "clamped_free" else polynomial(count, order)
-            out[d] = tabulate(functions, [max(s, 1e-40)])[:, :, 0]
+            out[d] = tabulated(self.basis, count, order, float(s))
         return out
 
     def strains(self, s: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -98,22 +98,33 @@ class ExactLink(Link):
             out.append(before)
         return out
 
-    def rotation_at(self, eta: ca.SX, s: float) -> ca.SX:
-        known = [(0.0, ca.SX(np.eye(3))), *zip(self.points, self.rotations(eta), strict=True)]
+    def rotation_at(self, eta: ca.SX, s: float, rotations: list[ca.SX]) -> ca.SX:
+        """Of the section at s; ``rotations``: those of the sections at the points."""
+        known = [(0.0, ca.SX(np.eye(3))), *zip(self.points, rotations, strict=True)]
         place, before = [x for x in known if x[0] <= s][-1]
         return self.rotation(eta, before, float(place), s)
 
-    def places(self, eta: ca.SX, at: np.ndarray) -> ca.SX:
-        """(3, len(at)): positions of points of the centreline in F_i: interpolated tangents, integrated."""
+    def places(self, eta: ca.SX, at: np.ndarray, rotations: list[ca.SX]) -> ca.SX:
+        """(3, len(at)): positions of points of the centreline in F_i: interpolated tangents, integrated.
+
+        ``rotations``: those of the sections at the points.
+        """
         tangents = [
             R @ (ca.SX([1, 0, 0]) + ca.DM(self.strains(s)[2]) @ eta)
-            for s, R in zip(self.points, self.rotations(eta), strict=True)
+            for s, R in zip(self.points, rotations, strict=True)
         ]
         columns = []
         for s in at:
             weights = [lagrange_integral(self.points, j, s) for j in range(len(self.points))]
             columns.append(self.length * sum((w * t for w, t in zip(weights, tangents, strict=True)), ca.SX.zeros(3)))
         return ca.horzcat(*columns) + ca.repmat(ca.DM([self.a, 0, 0]), 1, len(at))
+
+
+@cache
+def tabulated(basis: str, count: int, order: int, s: float) -> np.ndarray:
+    """(3, count): values, slopes and second derivatives at s of the functions of a direction; they are read only."""
+    functions = clamped_free(count) if basis == "clamped_free" else polynomial(count, order)
+    return tabulate(functions, [max(s, 1e-40)])[:, :, 0]
 
 
 # the shape at rest -------------------------------------------------------------------------------------

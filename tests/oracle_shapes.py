@@ -82,6 +82,7 @@ def tabulate(functions, points) -> np.ndarray:
     return np.array(table).reshape(len(functions), len(points), 3).transpose(2, 0, 1)
 
 
+@cache
 def clamped_free(modes: int) -> list:
     """Clamped-free beam modes by the textbook formula, at 120 digits: s -> (ψ, ψ', ψ'')."""
     return [_clamped_free_mode(clamped_free_root(k)) for k in range(1, modes + 1)]

@@ -29,7 +29,9 @@ def section(table: dict, link: Link, cloud: Cloud, eta: ca.SX, s: float, robot: 
     if s == 1.0:
         return cloud.tip_R, cloud.tip_point
     if hasattr(link, "points"):
-        return cloud.R @ link.rotation_at(eta, s), cloud.origin + cloud.R @ link.places(eta, np.array([s]))
+        rotations = link.rotations(eta)
+        place = link.places(eta, np.array([s]), rotations)
+        return cloud.R @ link.rotation_at(eta, s, rotations), cloud.origin + cloud.R @ place
     basis = table.get("modes", {}).get("basis", "polynomial")
     place, turn, first = ca.SX([link.a + s * link.length, 0, 0]), ca.SX.zeros(3), 0
     for direction in DIRECTIONS:

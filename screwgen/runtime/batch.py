@@ -198,7 +198,7 @@ def _files(model: RobotModel, methods: Sequence[Method]) -> dict[str, str]:
     """The sources of a batch."""
     project, name = RuntimeProject(model.chain, model.version, batch=True, methods=methods), model.robot.name
     library = (f"{name}_batch.c", f"{name}_parameters.c", f"{name}_real.c")
-    files = {file: text for file, text in project.files().items() if file.endswith(".h") or file in library}
+    files = project.some(lambda file: file.endswith(".h") or file in library)
     return files | {"shim.c": project.shim("batch_shim.c")}
 
 

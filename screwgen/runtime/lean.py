@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cached_property
 
 from ..algorithms.robot_functions import SENSORS
@@ -20,8 +20,12 @@ class RuntimeProject(CProject):
     _recorded = ()
 
     def files(self) -> dict[str, str]:
+        return self.some(lambda _: True)
+
+    def some(self, wanted: Callable[[str], bool]) -> dict[str, str]:
+        """Those of the library whose names are ``wanted``."""
         used = {file: template for file, template in self.library.items() if not template.startswith(LEFT_OUT)}
-        return {file: self.text(template) for file, template in used.items()}
+        return {file: self.text(template) for file, template in used.items() if wanted(file)}
 
     def part(self, name: str) -> Mapping[str, str]:
         """The files of a shared library: of the joint form, of the DAE form, or of sensors, written when asked for."""

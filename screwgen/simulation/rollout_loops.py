@@ -44,7 +44,7 @@ def opened(model: RobotModel, parameters: np.ndarray, q: np.ndarray) -> np.ndarr
 def _open(model: RobotModel, parameters: np.ndarray, q: np.ndarray, most: np.ndarray) -> np.ndarray:
     """(batch, samples) of bool: where a loop is open by over `most`, m and rad; at the first sample by START."""
     batch, samples, _ = q.shape
-    program = tip_programs.openings(model.chain)
+    program = model.once("openings", lambda: tip_programs.openings(model.chain))
     out = np.zeros((batch, samples), bool)
     for first in range(0, batch, step := max(1, BLOCK // samples)):
         part = slice(first, first + step)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
 
 import mpmath
 import numpy as np
@@ -25,10 +26,17 @@ def smooth(case: Case) -> float:
     return 3e-7 + case.tolerance / DIFFERENCE
 
 
+def accelerations_by_c(case: Case) -> Callable[..., np.ndarray]:
+    """The accelerations by C, which in the state are NumPy's: differences need thousands, over which NumPy is slow."""
+    c = case.c(derivatives=True)
+    near(c.accelerations(*case.given), case.model.numpy().forward_dynamics(*case.given)[0], case.solved, "C's")
+    return c.accelerations
+
+
 def dynamics(case: Case) -> None:
     """Accelerations with q, v and tau, in NumPy and in C."""
-    w_ext, f = case.given[3], case.model.numpy()
-    expected = case.differences(lambda q, v, tau: f.forward_dynamics(q, v, tau, w_ext)[0])
+    w_ext, f, accelerations = case.given[3], case.model.numpy(), accelerations_by_c(case)
+    expected = case.differences(lambda q, v, tau: accelerations(q, v, tau, w_ext))
     for c in case.differentiated:
         _, *compiled = c.linearise(*case.given)
         for found, wanted, exact, by in zip(compiled, expected, f.derivatives(*case.given), "qvu", strict=True):
@@ -164,7 +172,7 @@ def independent(case: Case, linear, q: np.ndarray, v: np.ndarray, h: float = 1e-
     Near a posture where a loop is singular these bend sharply: of three extrapolations the last of the two that differ
     least counts.
     """
-    (_, _, tau, w_ext), model, f = case.given, case.model, case.model.numpy()
+    (_, _, tau, w_ext), model, f, found = case.given, case.model, case.model.numpy(), accelerations_by_c(case)
     internal = model.v_names[model.nv :]
     half = (len(linear.A) - len(internal)) // 2
     own = [model.v_names.index(name) for name in linear.state_names[half : 2 * half]]
@@ -181,7 +189,7 @@ def independent(case: Case, linear, q: np.ndarray, v: np.ndarray, h: float = 1e-
         rates[own] = v[own] + x[half : 2 * half]
         rates[others] = -np.linalg.lstsq(J[:, others], J[:, own] @ rates[own])[0]
         whole = np.append(rates, v[model.nv :] + x[2 * half :])
-        return f.forward_dynamics(there, whole, tau, w_ext)[0][[*own, *range(model.nv, len(v))]]
+        return found(there, whole, tau, w_ext)[[*own, *range(model.nv, len(v))]]
 
     steps = [
         np.array([(accelerations(t * e) - accelerations(-t * e)) / (2 * t) for e in np.eye(len(linear.A))]).T

@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping, Sequence
 
+from ...algorithms import fused
 from ...algorithms.linearisation import linearisation
 from ...algorithms.wrench_slopes import wrench_program
 from ...errors import TargetWarning
@@ -14,6 +15,7 @@ from . import brakes, compliant, recursive_slopes, step_derivatives
 from .code import Place, entries, singular
 from .pieces import piece_place, pieces
 from .stumpff_slopes import slopes
+from .written import once
 
 FILES = ("derivatives.h", "derivatives.c", "wrench_derivatives.c")
 """The files that derivatives add, without the robot's name; their templates have the same names."""
@@ -41,8 +43,8 @@ def content(
         + 2 * nv * nv * (2 * nv + chain.n_tau + rows)
         + rows * (nv * rows + (4 * nv + 2 * rows) * (2 * nv + chain.n_tau))
     )
-    recursion = recursive_slopes.content(chain, baked) if recursive_slopes.is_chosen(chain, layout) else None
-    made = _by_recursion(recursion) if recursion else _in_pieces(chain, baked, place)
+    recursion = once(_recursion, chain, baked is not None) if recursive_slopes.is_chosen(chain, layout) else None
+    made = _by_recursion(recursion) if recursion else _in_pieces(chain, baked is not None, place)
     later = compliant.slopes(chain, baked is not None, place)
     per_stage = made["operations"] + solve
     made |= step_derivatives.content(chain, methods, per_stage, later["count"] if later else per_stage)
@@ -60,15 +62,25 @@ def content(
     }
 
 
+def _recursion(chain: Chain, baked: bool) -> dict:
+    """The slopes where links have functions of their own."""
+    return recursive_slopes.content(chain, once(fused.baked, chain) if baked else None)
+
+
 def _by_recursion(recursion: Mapping) -> dict:
     """Programs and operations of the slopes where links have functions of their own."""
     return {"programs": recursion["distinct"], "operations": recursion["operations"]}
 
 
-def _in_pieces(chain: Chain, baked: Sequence[dict] | None, place: Place) -> dict:
+def _in_pieces(chain: Chain, baked: bool, place: Place) -> dict:
     """The slopes as one program in pieces."""
-    program = linearisation(chain, "constants" if baked is None else "baked", own=False)
-    say_time(chain, "derivatives", program.operation_count)
+    made = once(_pieces, chain, baked, place)
+    say_time(chain, "derivatives", made["operations"])
+    return dict(made)
+
+
+def _pieces(chain: Chain, baked: bool, place: Place) -> dict:
+    program = linearisation(chain, "baked" if baked else "constants", own=False)
     nv = chain.nv
     own = {
         "vdot": entries("out->vdot"),
@@ -108,9 +120,13 @@ def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
     """The same of the joint wrenches, or why they are ``missing``."""
     if missing := without_wrenches(chain):
         return {"missing": missing, "recursion": None}
-    program = wrench_program(chain, "baked" if baked else "constants")
-    nv, count = chain.nv, program.operation_count
-    say_time(chain, "derivatives of wrenches", count)
+    made = once(_wrench_pieces, chain, baked, place)
+    say_time(chain, "derivatives of wrenches", made["operations"])
+    return made | {"missing": "", "recursion": None, "product": _products_of_wrenches(chain)}
+
+
+def _wrench_pieces(chain: Chain, baked: bool, place: Place) -> dict:
+    program, nv = wrench_program(chain, "baked" if baked else "constants"), chain.nv
     own = {
         "vdot": entries("at->vdot"),
         "wrench": entries("out->wrench", 6),
@@ -122,8 +138,7 @@ def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
     }
     placed = piece_place(chain, "work->kept", own, place)
     made = pieces(program, placed, ("c", "state", "input", "at", "work", "out"), outline=True)
-    more = {"missing": "", "recursion": None, "product": _products_of_wrenches(chain)}
-    return made | more | {"stumpff": slopes([program])}
+    return made | {"stumpff": slopes([program])}
 
 
 def say_time(chain: Chain, what: str, count: int) -> None:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from bisect import bisect_left
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
+from ...algorithms import fused
 from ...algorithms.dae_functions import block_places, edge_places
 from ...algorithms.schedule import OUTWARD, SUMMED, further_children
 from ...algorithms.signals import CALL, M_SYS, is_node, plain
@@ -18,6 +19,7 @@ from .code import Writer, trimmed
 from .curved import offset
 from .routines import Routines
 from .runs import RUNS, CFunction
+from .written import once
 
 OPTIONAL = {"wrench": "wrench", "motion": "motion"}
 """Signals that a caller may leave out by a null pointer, with the test for it."""
@@ -159,6 +161,17 @@ class Links:
             out = f"{name}_{number}"
         self.names.add(out)
         return out
+
+
+def links_of(chain: Chain, baked: bool, joint_form: bool) -> Links:
+    """The functions of a robot, which projects share by :func:`.written.once`.
+
+    ``baked``: with constants as numbers. With and without those of the joint form the phases that these functions are
+    made of are the same.
+    """
+    if joint_form:
+        return Links(chain, once(fused.baked, chain) if baked else None)
+    return replace(once(links_of, chain, baked, True), joint_form=False, functions={}, names=set(), _written={})
 
 
 @dataclass

@@ -42,7 +42,7 @@ from .fields import (
     stumpff_terms,
     topology,
 )
-from .links import WATCHED, WITHIN, Links, sparsity
+from .links import WATCHED, WITHIN, links_of, sparsity
 from .parameters import bodies, changing_parameter, comments, defaults, limits, parameter_structs, place
 from .runs import RUNS
 from .written import once
@@ -94,14 +94,14 @@ class CProject:
         self.reports = PARTS if outputs is True else tuple(outputs or ())
         self.name, self.methods = chain.robot.name, with_built_in(methods)
         self.by_p = asked_by_p(chain, by_p, estimate, self.measurements, binding == "baked")
-        self.baked = fused.baked(chain) if binding == "baked" else None
-        self.links = Links(chain, self.baked)
+        self.baked = once(fused.baked, chain) if binding == "baked" else None
         self.asked, self.layout = layout, self._layout(layout)
-        self.links.joint_form = self.layout == "modular"
+        self.links = once(links_of, chain, binding == "baked", self.layout == "modular")
 
     def _layout(self, asked: str) -> str:
         """``fused`` or ``modular``; ``auto`` chooses the faster one."""
-        passages = self.links.passages("joint_dynamics", WATCHED)
+        links = once(links_of, self.chain, self.binding == "baked", True)
+        passages = links.passages("joint_dynamics", WATCHED)
         size = sizes(p.program for p in passages)
         if asked == "fused" and size > FUSED_MOST:
             said = f"robot '{self.name}': layout 'fused' would be one function of {size} operations"
@@ -239,32 +239,17 @@ class CProject:
     @cached_property
     def fused(self) -> Program:
         """The joint form in one program."""
-        return fused.complete_dynamics(self.chain, "baked" if self.baked is not None else "constants")
+        return once(fused.complete_dynamics, self.chain, "baked" if self.baked is not None else "constants")
 
     @property
     def fused_lines(self) -> list[str]:
-        if self.layout != "fused":
-            return []
-        taken = {"c", "state", "input", "m_eta", "work", "wanted", "output", "bad", "link"}
-        asked = {name: f"wanted & $$_{part}" for name, part in ASKED.items()}
-        within = {asked[name]: asked[outer] for name, outer in WITHIN.items()}
-        lines = Writer(self.fused, fused_place, self._fused_guard, taken, True, asked, within).lines()
-        own = ("gravity", fused.OF_FORCES)
-        used = {name.partition(":")[2][:1] == "c" or name.startswith(own) for name in self.fused.inputs}
-        ignored = [] if True in used else ["(void)c;"]
-        return ignored + with_unused(("state", "input", "work", "m_eta"), lines)
+        return once(_fused_lines, self.chain, self.binding == "baked") if self.layout == "fused" else []
 
     @property
     def _batch(self) -> dict:
         constants = sum(f.reals() for f in self.constants)
         states = 2 + len(steps.registers(self.methods))
         return batch.content(self.chain, self.baked is not None, constants, states, fused_place)
-
-    def _fused_guard(self, test: str, link: int) -> str:
-        """The statement of a failed guard: failures are collected, because early returns cost more than comparisons."""
-        if self.masked:
-            return f"bad |= (unsigned long)({test}) << {link};"
-        return singular(test, link)
 
     @property
     def masked(self) -> bool:
@@ -347,3 +332,18 @@ class CProject:
     def reference(self) -> list[dict[str, list[str]]]:
         """States with their results, computed with 40 digits: the same on every machine."""
         return [{name: [literal(x) for x in entries] for name, entries in case.items()} for case in self._cases]
+
+
+def _fused_lines(chain: Chain, baked: bool) -> list[str]:
+    """The body of the fused function. Failures of guards are collected: early returns cost more than comparisons."""
+    program = once(fused.complete_dynamics, chain, "baked" if baked else "constants")
+    collected = lambda test, link: f"bad |= (unsigned long)({test}) << {link};"  # noqa: E731
+    fail = collected if chain.n <= MASK_BITS else singular
+    taken = {"c", "state", "input", "m_eta", "work", "wanted", "output", "bad", "link"}
+    asked = {name: f"wanted & $$_{part}" for name, part in ASKED.items()}
+    within = {asked[name]: asked[outer] for name, outer in WITHIN.items()}
+    lines = Writer(program, fused_place, fail, taken, True, asked, within).lines()
+    own = ("gravity", fused.OF_FORCES)
+    used = {name.partition(":")[2][:1] == "c" or name.startswith(own) for name in program.inputs}
+    ignored = [] if True in used else ["(void)c;"]
+    return ignored + with_unused(("state", "input", "work", "m_eta"), lines)

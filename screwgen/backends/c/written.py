@@ -1,6 +1,7 @@
 """What is written of a robot in C is written once, whatever project asks for it.
 
-An example: the functions that close loops. They are the same in every layout, in a shared library and in a filter.
+An example: the functions that close loops. They are the same in every layout, in a shared library and in a filter, and
+so are the slopes of accelerations and, for each layout, the functions of the links.
 """
 
 from __future__ import annotations

@@ -18,8 +18,9 @@ import numpy as np
 from ..errors import UsageError
 from .members import Still
 
-CLOSE, ROUNDS = 1e-10, 15
-"""Where the iteration ends: the largest residual over the length of the path's way; most iterations."""
+CLOSE, NEAR, ROUNDS = 1e-10, 1e-6, 15
+"""Where the iteration ends: the largest residual over the length of the path's way, and where one ends that a step no
+longer halves, as with modes without damping, whose vibrations hardly change the equations; most iterations."""
 NONE = 1e-4
 """Below this ratio to the largest of a posture joints do not move the tip in a direction."""
 FORCING, RESTART, CYCLES = 1e-8, 80, 6
@@ -131,15 +132,16 @@ def inverted(
     from scipy.sparse.linalg import LinearOperator, gmres
 
     q, shape = start, start.shape
-    size = 1e-3 + np.ptp(start, axis=0).max()
+    size, before = 1e-3 + np.ptp(start, axis=0).max(), np.inf
     for done in range(ROUNDS + 1):
         v, a = window.derivatives(q)
         off = equations.residual(q, v, a)
         worst = np.abs(off).max()
         if progress is not None:
             progress(done, ROUNDS)
-        if worst <= CLOSE * size:
+        if worst <= CLOSE * size or before / 2 < worst <= NEAR * size:
             return q, v, a, done
+        before = worst
         if not worst < 1e3 * size:
             break
         slopes = equations.slopes(q, v, a)

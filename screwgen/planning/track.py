@@ -177,14 +177,14 @@ class _UnbentArm:
         return x
 
     def begin(self, place: np.ndarray, near: np.ndarray | None) -> np.ndarray:
-        """Joints near those of the start; without a stated posture the first that serve, within their limits if any."""
+        """Joints near those of the start; without a stated posture those least turned, within their limits if any."""
         if near is not None:
             return near
         found = [self.posture(place, x) for x in (np.zeros(len(self.limits)), *self.drawn)]
         sound = [x for x in found if not self.fault(place, x)]
         within = [x for x in sound if (self.limits.T[0] <= x).all() and (x <= self.limits.T[1]).all()]
         nearest = min(found, key=lambda x: float(np.linalg.norm(self.at(x)[0] - place)))
-        return next(iter(within or sound), nearest)
+        return min(within or sound, key=lambda x: float(np.linalg.norm(x)), default=nearest)
 
     def fault(self, place: np.ndarray, joints: np.ndarray) -> str:
         """Why the tip cannot be moved along from a place at which the joints should have it; empty if it can."""

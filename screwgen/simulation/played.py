@@ -41,7 +41,7 @@ class Played(PD):
     plan: MotionPlan | None = None
     step: float = 1e-3
     effort_ratios: tuple[float, ...] = ()
-    """(n_joints,): of planned efforts to inputs, filled in by a run."""
+    """(n_joints,): of planned efforts to inputs, filled in by a run; those of drives without one."""
 
     @classmethod
     def of(cls, plan: MotionPlan) -> Played:
@@ -90,7 +90,8 @@ class Played(PD):
         lag, late = q_ref - self.measured(q, self.ahead), v_ref - self.measured(v)
         tau = self.plan.mean_torque(t, t + self.step) + np.array(self.kp) * lag + np.array(self.kd) * late
         most = self.plan.tau_max
-        return np.append(np.clip(tau, -most, most) / np.array(self.effort_ratios), np.zeros(self.idle))
+        ratios = np.array(self.effort_ratios) if self.effort_ratios else self.own_ratios
+        return np.append(np.clip(tau, -most, most) / ratios, np.zeros(self.idle))
 
 
 def read_played(path: str | os.PathLike[str], model: RobotModel) -> Played:

@@ -299,7 +299,7 @@ TABLE: list[Mutant] = [
     # ------------------------------------------------------------------------------------------- what users do with it
     M("ball loop", "runs", C + "features/loops_in_runs.jinja", "power += m->{{ power }}[i];", "(void)i;"),
     M("hinge loop", "estimator", "screwgen/simulation/estimator.py",
-      "[-reach @ J_q @ keep, keep]])", "[np.zeros((n, n)), keep]])"),
+      "reach @ (B @ T)", "reach @ (B[:, n : 2 * n] @ T[n : 2 * n])"),
     M("afloat", "estimator", "screwgen/simulation/estimator.py",
       "        A[:n, :n] = chain.carried(v[:n])\n", ""),
     M("ball", "estimator", C + "estimator_prediction.jinja", "    turn_slopes(work);\n", "    (void)turn_slopes;\n"),

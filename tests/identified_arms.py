@@ -9,6 +9,7 @@ from helpers import arm, model_of
 
 import screwgen
 from screwgen.identification.logs import Log
+from screwgen.simulation.played import Played
 from screwgen.spec.columns import Column, Columns
 
 TRUE = {
@@ -79,3 +80,18 @@ def logged(model, controller, seconds=4.0, step=1e-3, noise=0.01, seed=1, q0=(-1
     of = {"angle": noise, "gauge": noise} if isinstance(noise, float) else noise
     noisy = {name: x + of[name] * x.std() * rng.standard_normal(len(x)) for name, x in made.items()}
     return Log("swing.csv", run.t, noisy | {"motor": run.tau[:, 0]})
+
+
+def fit_errors(found, plan, model, other, true, fits):
+    """(fits, k): errors of logarithms where fits of noisy logs of an excitation's motion begin at an `other` model."""
+    run = screwgen.simulate(model, plan.time, found.run.t[1], q0=found.run.q[0], controller=Played.of(plan))
+    made = {"angle": np.degrees(run.q[:, 0]), "gauge": -0.01 * run.strain[:, 0] * 1e6}
+    noise, out = {column.name: column.noise for column in found.columns.sensors}, []
+    names = [one.name for one in found.unknowns]
+    for k in range(fits):
+        rng = np.random.default_rng(k)
+        noisy = {name: x + noise[name] * rng.standard_normal(len(x)) for name, x in made.items()}
+        log = Log("excited", run.t, noisy | {"motor": run.tau[:, 0]})
+        fit = screwgen.identify(other, log, free=names, sensors=found.columns, window=0.5)
+        out.append([np.log(fit[name].value / true[name]) for name in names])
+    return np.array(out)

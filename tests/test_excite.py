@@ -3,15 +3,13 @@
 import numpy as np
 import pytest
 from helpers import arm, link, model_of
-from identified_arms import SENSORS, TRUE, elsewhere, pendulum
+from identified_arms import SENSORS, TRUE, elsewhere, fit_errors, pendulum
 
 import screwgen
 from screwgen.cli.main import main
 from screwgen.errors import UsageError
 from screwgen.identification.fourier import FourierSeries
-from screwgen.identification.logs import Log
 from screwgen.simulation.named_controllers import read_controller
-from screwgen.simulation.played import Played
 
 FREE = ["rod.EIz", "rod.damping.ratio", "*.rotor_inertia", "*.coulomb", "*.viscous", "*.mass"]
 LIMITS = {"lower": [-3.0], "upper": [0.0], "rates": [3.0], "efforts": [8.0]}
@@ -32,21 +30,6 @@ def found():
         window=0.5,
         generations=15,
     )
-
-
-def errors(found, plan):
-    """(FITS, k): errors of logarithms in fits of noisy logs of a motion, over the deviations that they are to have."""
-    model = pendulum()
-    run = screwgen.simulate(model, SECONDS, STEP, controller=Played.of(plan))
-    made = {"angle": np.degrees(run.q[:, 0]), "gauge": -0.01 * run.strain[:, 0] * 1e6}
-    noise, out = {column.name: column.noise for column in found.columns.sensors}, []
-    for k in range(FITS):
-        rng = np.random.default_rng(k)
-        noisy = {name: x + noise[name] * rng.standard_normal(len(x)) for name, x in made.items()}
-        log = Log("excited", run.t, noisy | {"motor": run.tau[:, 0]})
-        fit = screwgen.identify(elsewhere(), log, free=FREE, sensors=found.columns, window=0.5)
-        out.append([np.log(one.value / TRUE[one.name]) for one in fit.estimates])
-    return np.array(out)
 
 
 def test_series_begin_and_end_at_rest_and_have_the_rates_of_their_values():
@@ -97,7 +80,7 @@ def test_what_no_motion_tells_is_not_determined():
 
 def test_the_widest_interval_is_three_times_narrower_than_by_a_random_motion_in_fits(found):
     """The fits start 30 % off; of both motions their errors are as large as the intervals say."""
-    own, other = errors(found, found.plan), errors(found, found.random)
+    own, other = (fit_errors(found, plan, pendulum(), elsewhere(), TRUE, FITS) for plan in (found.plan, found.random))
     assert found.narrower > 3.0
     for got, said in ((own, found.deviation), (other, found.deviation_of_random)):
         assert 0.6 < np.sqrt(np.mean((got / said) ** 2)) < 1.5

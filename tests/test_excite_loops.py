@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
+from identified_arms import fit_errors
 from test_identify_loops import COLUMNS, START, TRUE, elsewhere, four_bar
 
 import screwgen
 from screwgen.errors import UsageError
-from screwgen.identification.logs import Log
 from screwgen.simulation.played import Played
 
 LIMITS = {"lower": [-1.2, -3.0, -3.2], "upper": [0.3, 1.5, 0.0], "rates": [3.0, 2.0, 3.0], "efforts": [20.0] * 3}
@@ -22,22 +22,6 @@ def excited(generations=12, **stated):
 @pytest.fixture(scope="module")
 def found():
     return excited()
-
-
-def errors(found, plan):
-    """(FITS, k): errors of logarithms in fits of noisy logs of a motion."""
-    model = four_bar()
-    run = screwgen.simulate(model, SECONDS, STEP, q0=found.run.q[0], controller=Played.of(plan))
-    made = {"angle": np.degrees(run.q[:, 0]), "gauge": -0.01 * run.strain[:, 0] * 1e6}
-    noise, out = {column.name: column.noise for column in found.columns.sensors}, []
-    for k in range(FITS):
-        rng = np.random.default_rng(k)
-        noisy = {name: x + noise[name] * rng.standard_normal(len(x)) for name, x in made.items()}
-        log = Log("excited", run.t, noisy | {"motor": run.tau[:, 0]})
-        fit = screwgen.identify(elsewhere(), log, free=FREE, sensors=found.columns, window=0.5)
-        by_name = {one.name: np.log(one.value / TRUE[one.name]) for one in fit.estimates}
-        out.append([by_name[one.name] for one in found.unknowns])
-    return np.array(out)
 
 
 def test_the_run_keeps_the_limits_of_all_joints_and_one_that_follows_uses_its_own(found):
@@ -58,7 +42,7 @@ def test_references_of_joints_that_follow_close_the_loops(found):
 
 
 def test_intervals_are_narrower_than_by_a_random_motion_and_errors_of_fits_as_large_as_they_say(found):
-    own, other = errors(found, found.plan), errors(found, found.random)
+    own, other = (fit_errors(found, plan, four_bar(), elsewhere(), TRUE, FITS) for plan in (found.plan, found.random))
     assert found.narrower > 1.5
     for got, said in ((own, found.deviation), (other, found.deviation_of_random)):
         assert 0.5 < np.sqrt(np.mean((got / said) ** 2)) < 1.7

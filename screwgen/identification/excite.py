@@ -249,8 +249,7 @@ def _plan(maker: MotionMaker, made: Motions, lane: int, law: Any) -> MotionPlan:
 
 def _checked(model: RobotModel, plan: MotionPlan, limits: MotionLimits, step: float, q0: np.ndarray) -> Run:
     """The run of a motion under its law; raises UsageError where it breaks a limit."""
-    played = Played.of(plan)
-    run = simulate(model, plan.time, step, controller=played, q0=q0 if model.chain.closing.rows else None)
+    run = simulate(model, plan.time, step, controller=Played.of(plan), q0=q0)
     bent = strains(model, run.q[None], np.asarray(model.chain.parameters.values))[0]
     if broken := broken_limit(limits, model, run, bent):
         raise UsageError(

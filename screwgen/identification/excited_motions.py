@@ -16,7 +16,7 @@ from ..errors import UsageError
 from ..planning.drive_coordinates import DriveCoordinates
 from ..planning.task import MotionLimits
 from ..robot_model import RobotModel
-from ..simulation.feedforward import moved, moved_model
+from ..simulation.feedforward import moved
 from ..simulation.measured import strain
 from ..simulation.rollout import rollout
 from ..simulation.runs import Run
@@ -54,7 +54,12 @@ class RestingArm:
     torque: np.ndarray
     """(n_joints,): the efforts that hold it, as drives have them."""
     leading: tuple[int, ...]
-    """The joints that move along series: all, in loops as many as these leave free; the others follow."""
+    """The joints that move along series: all, in loops as many as these leave free."""
+
+    @property
+    def following(self) -> list[int]:
+        """The joints that follow these in loops."""
+        return [joint for joint in range(len(self.torque)) if joint not in self.leading]
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,8 +90,6 @@ class MotionMaker:
     @cached_property
     def led(self) -> RobotModel:
         """The robot whose leading joints move as is given."""
-        if not self.model.chain.closing.rows:
-            return moved_model(self.model)
         key = ("led", self.begin.leading)
         return self.model.once(key, lambda: RobotModel(moved(self.model.robot, self.begin.leading)))
 
@@ -140,7 +143,7 @@ class MotionMaker:
             run = rollout(self.led, x0, given, step=self.step, parameters=self.p)
         held = np.concatenate([run.drive_effort[:, :-1], run.drive_effort[:, -2:-1]], axis=1)
         held[~run.ok] = np.inf
-        if following := [k for k in range(self.model.n_joints) if k not in self.begin.leading]:
+        if following := self.begin.following:
             references, driven = references.copy(), self.drives.driven
             for k, curve in enumerate((driven(run.q), driven(run.v), np.gradient(driven(run.v), self.step, axis=1))):
                 references[:, k, :, following] = np.moveaxis(curve[..., following], 2, 0)
@@ -152,8 +155,7 @@ class MotionMaker:
         way = q - self.start
         room = np.where(way > 0, limits.upper - self.start, limits.lower - self.start)
         shares = np.maximum(way / room, np.abs(v) / limits.rates)
-        following = [k for k in range(self.model.n_joints) if k not in self.begin.leading]
-        return np.max(shares[..., following], axis=(1, 2), initial=0.0)
+        return np.max(shares[..., self.begin.following], axis=(1, 2), initial=0.0)
 
     def strained(self, made: Motions) -> np.ndarray:
         """The largest shares (lanes,) that motions take of what limits and headroom leave: of efforts and strains, and

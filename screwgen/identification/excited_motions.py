@@ -105,10 +105,10 @@ class MotionMaker:
         shape = np.stack(
             [basis @ own for basis in (self.series.values, self.series.rates, self.series.accelerations)], 1
         )
-        size, still = self._within_ranges(shape), self.strained(self._run(self._sized(shape[:1], np.zeros(1))))
+        size, still = self._within_ranges(shape), self.share_taken(self._run(self._sized(shape[:1], np.zeros(1))))
         for _ in range(ROUNDS):
             made = self._run(self._sized(shape, size))
-            share = self.strained(made)
+            share = self.share_taken(made)
             if (share <= 1.0).all():
                 return made
             with np.errstate(divide="ignore", invalid="ignore"):
@@ -157,9 +157,9 @@ class MotionMaker:
         shares = np.maximum(way / room, np.abs(v) / limits.rates)
         return np.max(shares[..., self.begin.following], axis=(1, 2), initial=0.0)
 
-    def strained(self, made: Motions) -> np.ndarray:
-        """The largest shares (lanes,) that motions take of what limits and headroom leave: of efforts and strains, and
-        of what joints that follow have."""
+    def share_taken(self, made: Motions) -> np.ndarray:
+        """The largest share (lanes,) that each motion takes of its limits: of efforts and strains, less headroom, and
+        of ranges and rates of joints that follow others."""
         with np.errstate(invalid="ignore"):
             efforts = np.abs(self.drives.efforts(made.tau)) / self.limits.efforts
             share = np.max(efforts[..., list(self.begin.leading)], axis=(1, 2))

@@ -18,11 +18,14 @@ import numpy as np
 from ..errors import UsageError
 from .members import Still
 
-CLOSE, NEAR, ROUNDS = 1e-10, 1e-6, 15
-"""Where the iteration ends: the largest residual over the length of the path's way, and where one ends that a step no
-longer halves, as with modes without damping, whose vibrations hardly change the equations; most iterations."""
-NONE = 1e-4
-"""Below this ratio to the largest of a posture joints do not move the tip in a direction."""
+CLOSE, STALLED, ROUNDS = 1e-10, 1e-6, 15
+"""The largest residual, by how far the joints go, at which the search ends; that at which it also ends if the last step
+has not halved it, as where modes have no damping; and the most steps. An example: joints that go 0.4 rad end with
+residuals of 4e-11, or of 4e-7 where no step makes them less.
+"""
+IMMOBILE = 1e-4
+"""Joints do not move the tip in a direction where they do so by less than this share of that in which they move it
+most."""
 FORCING, RESTART, CYCLES = 1e-8, 80, 6
 """How well the linear equations are solved."""
 
@@ -75,7 +78,7 @@ class TipEquations:
         self.count, n = len(goal), still.residual.size1_in(0)
         at_rest = np.hstack([joints, np.zeros((self.count, n - self.m))])
         J = self._slopes_of(_slope(tip, self.m), at_rest)
-        self.joints, self.to_joints = joints, np.linalg.pinv(J, rcond=NONE)
+        self.joints, self.to_joints = joints, np.linalg.pinv(J, rcond=IMMOBILE)
         self.redundant = np.eye(self.m) - self.to_joints @ J
         q, v, a = (ca.SX.sym(name, n) for name in "qva")
         force = still.residual(q, v, a)[self.m :]
@@ -139,7 +142,7 @@ def inverted(
         worst = np.abs(off).max()
         if progress is not None:
             progress(done, ROUNDS)
-        if worst <= CLOSE * size or before / 2 < worst <= NEAR * size:
+        if worst <= CLOSE * size or before / 2 < worst <= STALLED * size:
             return q, v, a, done
         before = worst
         if not worst < 1e3 * size:

@@ -12,7 +12,7 @@ import numpy as np
 from ..arguments import Given, Numbers, array, real_numbers, seconds
 from ..errors import UsageError
 from ..robot_model import RobotModel
-from .inversion import NONE, TipEquations, Window, inverted
+from .inversion import IMMOBILE, TipEquations, Window, inverted
 from .limits import motion_limits
 from .make import law_of
 from .members import Still
@@ -28,11 +28,11 @@ PREVIEW, STEP = 0.1, 1e-3
 MORE = 0.5
 """How much longer than what is played the window is at either end, s, so that what is left there may be seen."""
 MEETS, NEWTONS, AMISS = 1e-9, 60, 1e-6
-"""The last step of joints with which the tip of the arm that does not bend meets the path; most iterations; and how
-far from it, by the arm's length, is out of reach.
+"""Of the search for joints of the arm that does not bend: the last step, rad or m; the most steps; and how far from a
+place, by the arm's length, the tip is that cannot reach it.
 """
 STARTS, SEED = 12, 1
-"""Postures from which that of the start is sought where none is stated, and of what they are drawn."""
+"""Where no posture of the start is stated: from how many it is sought, and the seed with which these are drawn."""
 FLAT = 1e-3
 """Below this ratio of the slowest to the fastest motion of the tip by joints a posture is singular."""
 CUT = 2e-5
@@ -156,7 +156,7 @@ class _UnbentArm:
         low, high = np.clip(self.limits.T, -np.pi, np.pi)
         self.drawn = np.random.default_rng(SEED).uniform(low, high, (STARTS, len(low)))
         sizes = [np.linalg.svd(self.at(x)[1], compute_uv=False) for x in self.drawn]
-        self.directions = max(1, max(int((x > NONE * x[0]).sum()) for x in sizes))
+        self.directions = max(1, max(int((x > IMMOBILE * x[0]).sum()) for x in sizes))
         """In how many directions joints move the tip in most postures."""
         self.length = sum(link.length or 0.0 for link in model.robot.links) or 1.0
 
@@ -170,7 +170,7 @@ class _UnbentArm:
         x = near.copy()
         for _ in range(NEWTONS):
             there, J = self.at(x)
-            step = np.linalg.lstsq(J, place - there, rcond=NONE)[0]
+            step = np.linalg.lstsq(J, place - there, rcond=IMMOBILE)[0]
             x += step * min(1.0, 0.3 / max(np.abs(step).max(), 1e-12))
             if np.abs(step).max() < MEETS:
                 break

@@ -45,7 +45,7 @@ class ParameterEstimator(Estimator):
     ):
         super().__init__(model, parameters, measurements)
         self.states = ParameterStates(model.chain, states, self._p)
-        self._P = self._with_parameters(self._P)
+        self._P = linalg.block_diag(self._P, np.diag(self.states.deviation**2))
 
     def _found_values(self) -> np.ndarray:
         return self._p[self.states.places]
@@ -61,10 +61,6 @@ class ParameterEstimator(Estimator):
 
     def _spread(self, deviations: np.ndarray) -> np.ndarray:
         return np.diag(np.append(deviations, self.states.deviation))
-
-    def _with_parameters(self, P: np.ndarray) -> np.ndarray:
-        """A covariance of states with that of the parameters as they begin."""
-        return linalg.block_diag(P, np.diag(self.states.deviation**2))
 
     def _carried(
         self, S: np.ndarray, Phi: np.ndarray, G: np.ndarray, at: tuple[np.ndarray, ...], dt: float

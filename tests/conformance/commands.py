@@ -20,6 +20,7 @@ from conformance.refusals import REFUSALS
 from conformance.twin import first_piece
 from conformance.uses import closed
 from screwgen import Model, ScrewgenError, model
+from screwgen.planning.tip_path import eased
 
 
 def written(case: Case) -> Path:
@@ -43,9 +44,8 @@ def small_path(case: Case) -> np.ndarray:
     chain, q = case.model.chain, case.given[0].copy()
     q[chain.eta_q :] = 0.0
     s, ways = np.linspace(0.0, 1.0, 21), np.where(case.sizes == 1.0, 0.05, 0.0)
-    eased = s**4 * (35 - 84 * s + 70 * s**2 - 20 * s**3)
     return np.array(
-        [[2 * t, *case.model.numpy().tip_pose(case.moved(q, x * ways))[1]] for t, x in zip(s, eased, strict=True)]
+        [[2 * t, *case.model.numpy().tip_pose(case.moved(q, x * ways))[1]] for t, x in zip(s, eased(s), strict=True)]
     )
 
 

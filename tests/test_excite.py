@@ -8,7 +8,9 @@ from identified_arms import SENSORS, TRUE, elsewhere, fit_errors, pendulum
 import screwgen
 from screwgen.cli.main import main
 from screwgen.errors import UsageError
+from screwgen.identification.excited_motions import MotionMaker, Motions, RestingArm
 from screwgen.identification.fourier import FourierSeries
+from screwgen.planning.limits import motion_limits
 from screwgen.simulation.named_controllers import read_controller
 
 FREE = ["rod.EIz", "rod.damping.ratio", "*.rotor_inertia", "*.coulomb", "*.viscous", "*.mass"]
@@ -40,6 +42,17 @@ def test_series_begin_and_end_at_rest_and_have_the_rates_of_their_values():
         assert np.abs(curve[[0, -1]]).max() < 1e-12 * np.abs(curve).max()
     assert np.gradient(q, STEP)[1:-1] == pytest.approx(v[1:-1], abs=1e-3 * np.abs(v).max())
     assert np.gradient(v, STEP)[1:-1] == pytest.approx(a[1:-1], abs=1e-3 * np.abs(a).max())
+
+
+def test_a_motion_that_diverged_is_beyond_its_limits_though_nothing_limits_efforts():
+    model = pendulum()
+    limits = motion_limits(model, {}, None, 1.0)
+    assert np.isinf(limits.efforts).all()
+    begin = RestingArm(np.zeros(model.nq), np.zeros(1), (0,))
+    maker = MotionMaker(model, FourierSeries(SECONDS, STEP, 6.0), begin, limits, np.array(model.parameter_values))
+    still = np.zeros((2, 5, model.nq))
+    made = Motions(still, still, np.repeat([0.0, np.inf], 5).reshape(2, 5, 1), np.zeros((2, 3, 5, 1)))
+    assert maker.share_taken(made).tolist() == [0.0, np.inf]
 
 
 def test_series_whose_time_is_no_whole_number_of_steps_end_at_rest():

@@ -163,7 +163,7 @@ class MotionMaker:
         with np.errstate(invalid="ignore"):
             efforts = np.abs(self.drives.efforts(made.tau)) / self.limits.efforts
             share = np.max(efforts[..., list(self.begin.leading)], axis=(1, 2))
-            share = np.fmax(share, self._followed(made))
+            share = np.maximum(share, self._followed(made))
         if np.isfinite(self.limits.strains).any():
             bent = np.abs(strain(self.model, made.q, self.p)).max(axis=1)
             share = np.maximum(share, (bent / self.limits.strains).max(axis=1))

@@ -17,6 +17,8 @@ from .unknowns import Unknowns
 FACTORS = {57.2958: "degrees and radians", 1000.0: "a factor of 1000, as between mm and m"}
 NEAR = 0.8
 """By how much its logarithm may differ from theirs."""
+ALIKE = 0.5
+"""The correlation of readings and model from which on they may be the same in other units."""
 POOR = 0.5
 """The share of variance over windows below which a sensor counts as not explained."""
 COLOURED = 0.5
@@ -77,13 +79,17 @@ def of_bounds(asked: Unknowns, at: Estimate, fit: Fit) -> list[str]:
 def of_units(explained: Sequence[Explained]) -> list[str]:
     """Sensors of fitted logs whose readings are some 57.3 or 1000 times what the model reads, or as many times less.
 
-    The model is that of the start. That of the fit may have found numbers with which it reads what is wrong.
+    The model is that of the start. That of the fit may have found numbers with which it reads what is wrong. Where over
+    a whole log it falls or spins as the robot did not, it also varies many times more, but unlike the readings.
     """
     out = []
     for log in (x for x in explained if not x.held_out):
         for name, y, z in zip(log.sensors, log.readings.T, log.before.T, strict=True):
             there = np.isfinite(y) & np.isfinite(z)
-            factor = np.std(y[there]) / max(np.std(z[there]), 1e-300)
+            sizes = np.std(y[there]), max(np.std(z[there]), 1e-300)
+            factor, together = sizes[0] / sizes[1], np.mean((y[there] - y[there].mean()) * (z[there] - z[there].mean()))
+            if abs(together) < ALIKE * sizes[0] * sizes[1]:
+                continue
             for known, said in FACTORS.items():
                 if any(abs(np.log(max(factor, 1e-300) / way)) < NEAR for way in (known, 1 / known)):
                     much = f"vary {factor:.2g} times as much as those of the model"

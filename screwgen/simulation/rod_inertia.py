@@ -6,12 +6,12 @@ All is of a uniform rod of unit length and unit mass, with modal coordinates of 
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache, partial
-from itertools import pairwise
+from functools import cache
+from itertools import accumulate, pairwise
 
 import numpy as np
 
-from ..bodies.collocation import FINE, RodTurn, collocation, gauss, points
+from ..bodies.collocation import FINE, collocation, gauss, points
 from ..lazily import transform
 from ..spec.link_class import LinkClass
 
@@ -41,8 +41,11 @@ def inertia(key: LinkClass, zeta: np.ndarray) -> np.ndarray:
     `zeta` (N, r + p): modal coordinates of unit length, then the numbers of the curvature at rest.
     """
     moving = [m for m, (direction, _) in enumerate(key.directions) if direction != "torsion"]
-    line, unit = partial(centreline, key, places=tuple(PLACES.tolist())), STEP * np.eye(zeta.shape[1])
-    r, by_modes = line(zeta), [(line(zeta + unit[m]) - line(zeta - unit[m])) / (2 * STEP) for m in moving]
+    steps = STEP * np.eye(zeta.shape[1])[moving]
+    states = np.concatenate([zeta[None], zeta + steps[:, None], zeta - steps[:, None]])
+    lines = centreline(key, states.reshape(-1, zeta.shape[1]), tuple(PLACES.tolist()))
+    r, *moved_by = lines.reshape(*states.shape[:2], *lines.shape[1:])
+    by_modes = [(moved_by[k] - moved_by[k + len(moving)]) / (2 * STEP) for k in range(len(moving))]
     turned = [np.cross(axis, r) for axis in np.eye(3)]
     moved = [np.broadcast_to(axis, r.shape) for axis in np.eye(3)]
     columns = np.stack([*turned, *moved, *by_modes])
@@ -51,22 +54,32 @@ def inertia(key: LinkClass, zeta: np.ndarray) -> np.ndarray:
 
 def centreline(key: LinkClass, zeta: np.ndarray, places: tuple[float, ...]) -> np.ndarray:
     """That of a rod of unit length (N, places, 3) in states (N, r + p), from the tangents at the points of the rod."""
-    turns, stretches, reach = _numbers(key, places)
-    R, tangents = transform.Rotation.from_quat(np.tile([0.0, 0.0, 0.0, 1.0], (len(zeta), 1))), []
-    for turn, stretch in zip(turns, stretches, strict=True):
-        crossed = sum((np.cross(zeta @ a.T, zeta @ b.T) for a, b in turn.crossed), np.zeros(3))
-        R = R * transform.Rotation.from_rotvec(zeta @ turn.linear.T + crossed)
-        tangents.append(R.apply(np.array([1.0, 0.0, 0.0]) + zeta[:, : key.modes] @ stretch.T))
-    return np.einsum("pk,kni->npi", reach, np.array(tangents))
+    linear, crossed, stretches, reach = _numbers(key, places)
+    angles = zeta @ linear.swapaxes(1, 2)
+    for a, b in np.moveaxis(crossed, 0, 2):
+        angles += np.cross(zeta @ a.swapaxes(1, 2), zeta @ b.swapaxes(1, 2))
+    turns = transform.Rotation.from_rotvec(angles.reshape(-1, 3)).as_matrix().reshape(*angles.shape, 3)
+    strained = np.array([1.0, 0.0, 0.0]) + zeta[:, : key.modes] @ stretches.swapaxes(1, 2)
+    poses = accumulate(turns, np.matmul)
+    tangents = np.array([(R @ t[..., None])[..., 0] for R, t in zip(poses, strained, strict=True)])
+    return np.einsum("pk,kni->npi", reach, tangents)
 
 
 @cache
-def _numbers(key: LinkClass, places: tuple[float, ...]) -> tuple[list[RodTurn], list[np.ndarray], np.ndarray]:
-    """The turns from point to point of a rod, the stretches there by its modes, and what integrates to ``places``."""
+def _numbers(key: LinkClass, places: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Of the turns from point to point of a rod the linear parts (k, 3, r + p) and the pairs of their products.
+
+    Then the stretches at the points (k, 3, r) and what integrates the tangents there to ``places`` (places, k).
+    Pairs (k, pairs, 2, 3, r + p): where a turn has fewer than another the rest are zeros.
+    """
     rod = collocation(key)
     at = rod.places.tolist()
     turns = [rod.turn(a, b) for a, b in pairwise([0.0, *at])]
-    return turns, [rod.stretch(s) for s in at], np.array([rod.reach(x) for x in places])
+    linear = np.array([turn.linear for turn in turns])
+    crossed = np.zeros((len(at), max(len(turn.crossed) for turn in turns), 2, *linear.shape[1:]))
+    for padded, turn in zip(crossed, turns, strict=True):
+        padded[: len(turn.crossed)] = np.array(turn.crossed).reshape(-1, *crossed.shape[2:])
+    return linear, crossed, np.array([rod.stretch(s) for s in at]), np.array([rod.reach(x) for x in places])
 
 
 def _apart(coarse: np.ndarray, fine: np.ndarray) -> float:

@@ -50,8 +50,8 @@ def test_every_pair_of_features_meets_every_check(row, check):
     outcome(check, of(ROWS[row], row))
 
 
-@pytest.mark.parametrize("row", swept(range(len(DRAWN)), *range(6)))
 @pytest.mark.parametrize("check", [*SOME, pytest.param("commands", marks=pytest.mark.long)])
+@pytest.mark.parametrize("row", swept(range(len(DRAWN)), *range(6)))
 def test_random_features_and_numbers(check, row):
     outcome(check, of(DRAWN[row], 1000 + row, drawn=True))
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from helpers import arm, example, link, model_of
+from test_plan_report import rows
 from test_tracking import LENGTH, TIME, eased, rod, sweep
 
 import screwgen
@@ -50,6 +51,25 @@ def test_a_table_is_what_it_samples(folder, rows):
     (folder / "path.csv").write_text(table(rows, begin=5.0))
     found, t = screwgen.read_path(folder / "path.csv"), np.linspace(0.0, TIME, 1001)
     assert found.time == pytest.approx(TIME) and np.abs(found(t) - sweep(t)).max() < (1e-5 if rows < 40 else 1e-7)
+
+
+def test_the_report_measures_the_run_against_the_path(folder, capsys, monkeypatch):
+    """As planned the tip of the run is off as the test measures it; a stiffness that is off takes it farther off."""
+    monkeypatch.chdir(folder)
+    asked = ["track", "rod.toml", "path.toml", "--gains", "law.toml", "-o", "plan.npz"]
+    assert main([*asked, "--report", "page.txt"]) == 2 and not (folder / "plan.npz").exists()
+    capsys.readouterr()
+    assert main([*asked, "--report", "page.html"]) == 0
+    assert "plan.npz\npage.html\n" in capsys.readouterr().out
+    page = (folder / "page.html").read_text()
+    run, table = screwgen.play(rod(), screwgen.read_plan("plan.npz")).run, rows(page)
+    off = np.linalg.norm(run.tip_position - screwgen.read_path("path.toml")(run.t - 0.1), axis=1)
+    followed = page.partition("off its path</h2>")[2].partition("</section>")[0]
+    largest, mean, at = map(float, rows(followed)["as planned"])
+    assert largest == pytest.approx(1e3 * off.max(), rel=0.01) and at == pytest.approx(run.t[off.argmax()], abs=1e-3)
+    assert mean == pytest.approx(1e3 * np.sqrt(np.mean(off**2)), rel=0.01)
+    softer, *_, nominal, _, _, _ = map(float, table["stiffness"])
+    assert nominal == pytest.approx(largest, rel=0.01) and softer > 10 * nominal
 
 
 def test_the_command_writes_a_plan_whose_tip_is_on_the_path(folder, capsys, monkeypatch):

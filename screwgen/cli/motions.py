@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -20,6 +20,10 @@ FORMATS = (".npz", ".csv")
 PlanOutput = Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="plan.npz, plan.csv, or a folder.")]
 PlanTarget = Annotated[str | None, typer.Option(metavar="c", help="Write the plan as C, into the folder after -o.")]
 RowStep = Annotated[float, typer.Option(metavar="S", help="Between the rows of a .csv file.")]
+PlanReportFile = Annotated[
+    str | None,
+    typer.Option("--report", metavar="FILE", help="Also a report, .html: what is left, limits, wrong payloads."),
+]
 
 
 def register(app: typer.Typer, epilog: str) -> None:
@@ -38,10 +42,7 @@ def plan(
     fast: Annotated[
         bool, typer.Option("--fast", help="Polynomials by least squares: limits are checked, not sought with.")
     ] = False,
-    report: Annotated[
-        str | None,
-        typer.Option(metavar="FILE", help="Also a report, .html: what is left, limits, wrong payloads."),
-    ] = None,
+    report: PlanReportFile = None,
     quiet: Quiet = False,
 ) -> None:
     """Plan a motion of the joints from rest to rest that leaves nothing vibrating, with its torques."""
@@ -50,28 +51,24 @@ def plan(
     from ..planning.tip_goals import inverse_kinematics
     from ..progress import bar
     from ..simulation.controller_files import read_pd
-    from ..simulation.runs import check_output, outputs
     from ..spec.plan import read_task
     from .output import load_robot, say, stoppable
 
     quiet = quiet or context.obj
     check_destination(output, target, FORMATS, "a plan")
-    if report is not None:
-        check_output(report, (".html",))
+    _check_report(report)
     model = derive(load_robot(robot, quiet))
     asked, law = read_task(task)
     ways: dict[str, Any] = {"intervals": asked.intervals, "models": asked.models, "through": asked.through}
     ways["limits"] = {key: x for key, x in asked.limits.model_dump().items() if x is not None}
     ways["gains"] = None if law is None else read_pd(law, model)
     goal = asked.goal or inverse_kinematics(model, asked.goal_tip or (), asked.start)
-    beside = [] if report is None else [report]
-    with outputs(*beside) as pages, stoppable():
+    with _reported(report) as page, stoppable():
         with destination(output, target, step) as write:
             with bar("planning", 80, quiet) as progress:
                 found = made(model, asked.start, goal, asked.time, **ways, fast=fast, progress=progress)
-            files = [*write(found), *beside]
-        for page in pages:  # the plan is kept where its runs go wrong
-            page.write(_page(model, found, ways, quiet).encode())
+            files = write(found)
+        files += page(model, found, quiet, models=ways["models"], limits=ways["limits"])
     figures = f"{found.time:.4g} s, {found.said['iterations']} iterations, torques up to {found.effort.max():.4g}"
     say("\n".join([*files, figures + _bare(found)]), quiet)
 
@@ -96,6 +93,7 @@ def track(
     ] = 0.1,
     spacing: Annotated[float, typer.Option(metavar="S", help="Between the points of the plan.")] = 1e-3,
     step: RowStep = 1e-3,
+    report: PlanReportFile = None,
     quiet: Quiet = False,
 ) -> None:
     """Plan the motion of the joints, with its torques, in which the tip of the bent arm is on a path."""
@@ -109,13 +107,16 @@ def track(
 
     quiet = quiet or context.obj
     check_destination(output, target, FORMATS, "a plan")
+    _check_report(report)
     asked, model = read_path(path), derive(load_robot(robot, quiet))
     ways: dict[str, Any] = {"preview": preview, "step": spacing, "gains": None if law is None else read_pd(law, model)}
     ways["near"] = None if near is None else joint_coordinates(near, model, "near")
-    with destination(output, target, step) as write, stoppable():
-        with bar("planning", 15, quiet) as progress:
-            found = made(model, asked, asked.time, **ways, progress=progress)
-        files = write(found)
+    with _reported(report) as page, stoppable():
+        with destination(output, target, step) as write:
+            with bar("planning", 15, quiet) as progress:
+                found = made(model, asked, asked.time, **ways, progress=progress)
+            files = write(found)
+        files += page(model, found, quiet, path=lambda t: asked(t - preview))
     say("\n".join([*files, *_followed(found)]), quiet)
 
 
@@ -140,13 +141,34 @@ def _bare(found: MotionPlan) -> str:
     return "" if found.kp.any() else "; without gains nothing corrects what the model does not know"
 
 
-def _page(model: RobotModel, found: MotionPlan, ways: Mapping[str, Any], quiet: bool) -> str:
-    """The report of a plan."""
-    from ..plotting.plan_report import plan_report
-    from ..progress import bar
+def _check_report(report: str | None) -> None:
+    """Refuses the name of a file that is no page."""
+    from ..simulation.runs import check_output
 
-    with bar("playing", 1, quiet) as progress:
-        return plan_report(model, found, models=ways["models"], limits=ways["limits"], progress=progress).html()
+    if report is not None:
+        check_output(report, (".html",))
+
+
+@contextmanager
+def _reported(report: str | None) -> Iterator[Callable[..., list[str]]]:
+    """What writes the report of a plan, if one is asked for, and names its file, which is opened before.
+
+    The plan itself is written first: it is kept where its runs go wrong.
+    """
+    from ..simulation.runs import outputs
+
+    def write(model: RobotModel, found: MotionPlan, quiet: bool, **ways: Any) -> list[str]:
+        from ..plotting.plan_report import plan_report
+        from ..progress import bar
+
+        for page in pages:
+            with bar("playing", 1, quiet) as progress:
+                page.write(plan_report(model, found, **ways, progress=progress).html().encode())
+        return beside
+
+    beside = [] if report is None else [report]
+    with outputs(*beside) as pages:
+        yield write
 
 
 @contextmanager

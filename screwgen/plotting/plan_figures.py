@@ -92,8 +92,24 @@ def tip_over_time(report: PlanReport) -> bytes:
 
 
 @styled
+def off_path_over_time(report: PlanReport) -> bytes:
+    """How far the tip is from its path over time, of all models."""
+    out = canvas(WIDE, 3.0)
+    axes = out.subplots()
+    for k, (name, arrived) in enumerate(report.arrivals.items()):
+        off = np.maximum(report.off_path(arrived), STILL)
+        axes.semilogy(*thin(arrived.run.t, 1e3 * off), color=PALETTE[k % len(PALETTE)], label=name)
+    axes.axvline(report.plan.time, **LIMITS)
+    axes.set_xlim(0.0, report.first.run.t[-1])
+    axes.set_xlabel("t (s)")
+    axes.set_ylabel("tip from its path (mm)")
+    legend_above(axes)
+    return png(out, DPI)
+
+
+@styled
 def errors_of_the_model(report: PlanReport) -> bytes:
-    """The residual over factors of parameters."""
+    """The residual, or what is measured in its place, over factors of parameters."""
     out = canvas(WIDE, 3.0)
     axes = out.subplots()
     for k, (what, found) in enumerate(report.robustness.items()):
@@ -101,6 +117,6 @@ def errors_of_the_model(report: PlanReport) -> bytes:
     axes.axvline(1.0, **LIMITS)
     axes.set_ylim(bottom=0.0)
     axes.set_xlabel("factor of what was planned for")
-    axes.set_ylabel("residual of the tip (mm)")
+    axes.set_ylabel("residual of the tip (mm)" if report.path is None else "tip from its path, at most (mm)")
     legend_above(axes)
     return png(out, DPI)

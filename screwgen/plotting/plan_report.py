@@ -1,4 +1,7 @@
-"""The report of a plan: how it is played, what limits it comes close to, and what errors of the model leave of it."""
+"""The report of a plan: how it is played, what limits it comes close to, and what errors of the model leave of it.
+
+Of a plan whose tip is on a path it says besides how far off that the tip is.
+"""
 
 from __future__ import annotations
 
@@ -21,6 +24,7 @@ from ..simulation.arrival import Arrival, play
 from ..simulation.played import PlanWarning
 from ..simulation.robustness import FACTORS, Robustness, robustness, usual
 
+PlannedPath = Callable[[np.ndarray], np.ndarray]
 PLANNED = "as planned"
 """The name of the model that a plan was made for."""
 
@@ -38,11 +42,17 @@ class PlanReport:
     """By what is varied, as "payload"."""
     notes: tuple[str, ...]
     """What runs warned of."""
+    path: PlannedPath | None = None
+    """Where the tip is to be over the time of the plan, if that was asked."""
 
     @property
     def first(self) -> Arrival:
         """How the model that is planned for arrives."""
         return self.arrivals[PLANNED]
+
+    def off_path(self, arrived: Arrival) -> np.ndarray:
+        """(samples,), m: how far the tip of a run is from its path."""
+        return off_path(self.path, arrived)
 
     @property
     def drives(self) -> DriveCoordinates:
@@ -90,6 +100,7 @@ def plan_report(
     limits: Mapping[str, Any] | None = None,
     vary: Mapping[str, Sequence[str]] | None = None,
     factors: Sequence[float] = FACTORS,
+    path: PlannedPath | None = None,
     parameters: Given = None,
     progress: Callable[[int, int], None] | None = None,
     **ways: Any,
@@ -98,7 +109,9 @@ def plan_report(
 
     `models` and `limits`: as :func:`plan` took them. `vary`: names of parameters, or patterns, that are multiplied by
     `factors`, by what they are called, as `{"payload": ["arm.bodies[0].mass"]}`; without it the payload, which is the
-    bodies at the tips of the last links, and the stiffness of links and gears. `ways`: what else :func:`play` takes.
+    bodies at the tips of the last links, and the stiffness of links and gears. `path`: where the tip is to be at times
+    (…), s, of the plan, as places (…, 3), m; the report then measures runs by how far off it they are at most. `ways`:
+    what else :func:`play` takes.
 
     Warnings of these runs are `notes` of the report. `progress(done, all)` is called after every run. Raises
     UsageError, and what :func:`play` raises where the arm does not arrive with the parameters that were planned for.
@@ -120,11 +133,20 @@ def plan_report(
         with _warned(heard, name):
             arrivals[name] = play(model, plan, parameters=p, **ways)
         step()
+    measured = {} if path is None else {"measure": lambda arrived: float(off_path(path, arrived).max())}
     curves = {}
     for what, names in asked.items():
         with _warned(heard, what):
-            curves[what] = robustness(model, plan, names, factors, parameters=values, progress=step, **ways)
-    return PlanReport(model, plan, bounds, arrivals, curves, tuple(dict.fromkeys(heard)))
+            curves[what] = robustness(model, plan, names, factors, parameters=values, progress=step, **measured, **ways)
+    return PlanReport(model, plan, bounds, arrivals, curves, tuple(dict.fromkeys(heard)), path)
+
+
+def off_path(path: PlannedPath | None, arrived: Arrival) -> np.ndarray:
+    """(samples,), m: how far the tip of a run is from a path; NaN where none is asked for."""
+    run = arrived.run
+    if path is None:
+        return np.full(len(run.t), np.nan)
+    return np.linalg.norm(run.tip_position - path(run.t), axis=1)
 
 
 def _models(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from .plan_figures import errors_of_the_model, joint_units, over_time, tip_over_time
+from .plan_figures import errors_of_the_model, joint_units, off_path_over_time, over_time, tip_over_time
 from .report_page import Context, ReportSection, TableRow, report_page, said, table
 
 if TYPE_CHECKING:
@@ -23,6 +23,7 @@ FOUND = {
     "seconds": "seconds of the search",
     "cost": "cost",
     "left": "energy left, over that of the motion",
+    "preview": "of it before the tip moves, and as much after, s",
 }
 """What is said of the search, by the keys of `MotionPlan.said`."""
 
@@ -45,6 +46,8 @@ def in_words(report: PlanReport) -> Iterator[Remark]:
     behind = arrived.run.t[-1] - plan.time
     moves = f"the tip moves within {_mm(arrived.residual)} mm"
     yield Remark(f"In the {behind:.2g} s behind the end of the motion, which takes {plan.time:.4g} s, {moves}.")
+    if report.path is not None:
+        yield Remark(f"On its way it is off its path by {_mm(report.off_path(arrived).max())} mm at most.")
     if len(report.arrivals) > 1:
         name, worst = max(report.arrivals.items(), key=lambda item: item[1].residual)
         yield Remark(f"Of the models that share the motion the worst is {name}: {_mm(worst.residual)} mm.")
@@ -59,7 +62,7 @@ def in_words(report: PlanReport) -> Iterator[Remark]:
             yield Remark(f"{name}: {one.saturated} samples are saturated; a drive at its limit corrects nothing.", True)
     yield from _passed(report)
     for what, found in report.robustness.items():
-        yield from _left(what, found)
+        yield from _left(what, found, report.path is None)
         if found.saturated.any():
             factors = ", ".join(f"{x:g}" for x in found.factors[found.saturated > 0])
             yield Remark(f"Drives are saturated where the {what} is multiplied by {factors}.", True)
@@ -68,11 +71,12 @@ def in_words(report: PlanReport) -> Iterator[Remark]:
         yield Remark("Without gains nothing corrects what the model does not know.", True)
 
 
-def _left(what: str, found: Robustness) -> Iterator[Remark]:
-    """What the smallest and the largest error leave, of the runs that reach their ends."""
+def _left(what: str, found: Robustness, at_rest: bool) -> Iterator[Remark]:
+    """What the smallest and the largest error leave, of the runs that reach their ends: at rest, or off a path."""
+    leaves, left = ("leaves", "") if at_rest else ("takes the tip", " off its path")
     off = np.abs(found.factors - 1.0).round(6)
     sizes = sorted({float(x) for x in off[np.isfinite(found.residuals)] if x})
-    said = [f"by {100 * x:.3g} % leaves up to {_mm(np.nanmax(found.residuals[off == x]))} mm" for x in sizes]
+    said = [f"by {100 * x:.3g} % {leaves} up to {_mm(np.nanmax(found.residuals[off == x]))} mm{left}" for x in sizes]
     if said:
         yield Remark(f"A {what} that is off {', '.join(dict.fromkeys((said[0], said[-1])))}.")
 
@@ -125,6 +129,22 @@ def _still(report: PlanReport) -> Context:
     )
 
 
+def _on_path(report: PlanReport) -> Context:
+    """No section where no path is asked for."""
+    if report.path is None:
+        return {}
+    rows = []
+    for name, one in report.arrivals.items():
+        off = report.off_path(one)
+        rows.append(TableRow((name, _mm(off.max()), _mm(np.sqrt(np.mean(off**2))), _number(one.run.t[np.argmax(off)]))))
+    return table(
+        ("model", "largest, mm", "root mean square, mm", "largest at t, s"),
+        rows,
+        "The distance of the tip, in the run, from the place where the path is at the same time.",
+        {"That distance over time": off_path_over_time(report)},
+    )
+
+
 def _joints(report: PlanReport) -> Context:
     plan, limits, units = report.plan, report.limits, joint_units(report)
     rows = []
@@ -165,12 +185,13 @@ def _errors(report: PlanReport) -> Context:
         TableRow((what, *map(_mm, found.residuals)), bool(found.saturated.any() or found.failed))
         for what, found in curves.items()
     ]
+    measured = "The residual of the tip" if report.path is None else "The largest distance of the tip from its path"
     varied = "; ".join(f"{what}: {', '.join(_arrays(found.parameters))}" for what, found in curves.items())
     return table(
         ("", *(f"× {x:g}" for x in factors)),
         rows,
-        f"The residual of the tip, mm, where all of these parameters are others by a factor. {varied}.",
-        {"The residual over factors of parameters": errors_of_the_model(report)},
+        f"{measured}, mm, where all of these parameters are others by a factor. {varied}.",
+        {f"{measured} over factors of parameters": errors_of_the_model(report)},
     )
 
 
@@ -194,6 +215,7 @@ def _notes(report: PlanReport) -> Context:
 
 SECTIONS: Sequence[ReportSection[PlanReport]] = (
     ReportSection("In short", "report/said", _short),
+    ReportSection("How far the tip is off its path", "report/table", _on_path),
     ReportSection("How still the arm stands", "report/table", _still),
     ReportSection("Joints and drives", "report/table", _joints),
     ReportSection("What the arm bears", "report/table", _loads),

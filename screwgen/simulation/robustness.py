@@ -15,7 +15,7 @@ from ..planning.plan import MotionPlan
 from ..robot_model import RobotModel
 from ..spec.parameters import parameters as parameters_of
 from ..spec.parents import parents
-from .arrival import play
+from .arrival import Arrival, play
 
 FACTORS = (0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.3)
 OF_LINKS = ("EA", "EIy", "EIz", "GJ", "GAy", "GAz")
@@ -32,7 +32,7 @@ class Robustness:
     factors: np.ndarray
     """(F,)"""
     residuals: np.ndarray
-    """(F,), m: as `Arrival.residual`; NaN where the arm did not arrive."""
+    """(F,), m: as `Arrival.residual`, or what else was measured; NaN where the arm did not arrive."""
     saturated: np.ndarray
     """(F,): samples at which a drive gave all that it has."""
     failed: tuple[str, ...] = ()
@@ -46,12 +46,14 @@ def robustness(
     factors: Sequence[float] = FACTORS,
     *,
     parameters: Given = None,
+    measure: Callable[[Arrival], float] = lambda arrived: arrived.residual,
     progress: Callable[[], None] = lambda: None,
     **ways: Any,
 ) -> Robustness:
     """Play a plan on arms whose parameters `names`, or patterns as `*.EIz`, are multiplied by each of `factors`.
 
-    `ways`: what else :func:`play` takes; `progress` is called after every run. A run that diverges is part of the
+    `measure`: what is asked of each run, m; how still it stands, if not given. `ways`: what else :func:`play` takes;
+    `progress` is called after every run. A run that diverges is part of the
     result; raises UsageError where there is no such parameter, or none may have such a value.
     """
     values = model.chain.parameters.vector(parameters)
@@ -62,7 +64,7 @@ def robustness(
         p = scaled(model, values, dict.fromkeys(own, factor))
         try:
             arrived = play(model, plan, parameters=p, **ways)
-            residuals[k], saturated[k] = arrived.residual, arrived.saturated
+            residuals[k], saturated[k] = measure(arrived), arrived.saturated
         except ScrewgenError as error:
             failed.append(f"by {factor:g}: {error}")
         progress()

@@ -219,14 +219,15 @@ class Numeric:
         return np.array(functions.measures_at_rest(*self.rows(q=q, w_ext=w_ext)), float).reshape(self.chain.n, -1)
 
     def mass_matrix(self, q: Numbers) -> np.ndarray:
-        """``M`` (nv, nv), column by column from the inverse dynamics."""
+        """``M`` (nv, nv): what accelerations of one demand beyond what the arm at rest does, by one pass for all."""
         nv, (q, rest, w_ext) = self.chain.nv, self.rows(q=q, v=None, w_ext=None)
         still = self._functions(INVERSE).alone()
         stiff = still.constants
         still.constants = [dict(c) | {name: [0.0] * len(c[name]) for name in SPRINGS if name in c} for c in stiff]
-        offset = np.array(still.inverse_dynamics(q, rest, rest, w_ext))
-        columns = [still.inverse_dynamics(q, rest, e, w_ext) - offset for e in np.eye(nv).tolist()]
-        return np.array(columns).reshape(nv, nv).T
+        units = [ValuesPerRate(unit) for unit in np.eye(nv, nv + 1)]  # the last of the motions is rest
+        found = still.inverse_dynamics(q, rest, units, w_ext)
+        efforts = np.array([x.entries if isinstance(x, ValuesPerRate) else np.full(nv + 1, x) for x in found])
+        return (efforts[:, :-1] - efforts[:, -1:]).reshape(nv, nv)
 
     def derivatives(
         self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads

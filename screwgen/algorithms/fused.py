@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import update_wrapper
 from typing import Any, Protocol
@@ -18,6 +19,8 @@ from .functions import EVERYTHING, Functions
 from .schedule import Algorithm, constant_labels, is_column, preparation, seen_by
 
 DIGITS = 40
+SPARE = 32
+"""Bits by which a series in whole numbers is more accurate than the numbers that it is for."""
 
 OF_FORCES = "forces."
 """The beginning of the names of inputs that are numbers of forces between frames; that of the parameter follows."""
@@ -126,13 +129,18 @@ def precise(op: str, x: Any) -> Any:
 
 
 def _stumpff(order: int, x: Any) -> Any:
-    """The Stumpff series; at this precision it is accurate for every admissible rotation of a section."""
-    term = 1 / mpmath.factorial(order)
-    total, j = term, 0
-    while abs(term) > mpmath.eps * abs(total):
-        term *= -x / ((order + 2 * j + 1) * (order + 2 * j + 2))
-        total, j = total + term, j + 1
-    return total
+    """The Stumpff series in whole multiples of a small number: far faster than in mpmath, and as accurate.
+
+    Terms grow to about exp(sqrt(|x|)) before they fall, so as many more bits are kept as that has.
+    """
+    bits = mpmath.mp.prec + SPARE + int(1.5 * math.sqrt(abs(float(x))))
+    square, term = int(mpmath.ldexp(abs(x), bits)), (1 << bits) // math.factorial(order)
+    total, k, sign = term, order, 1
+    while term:
+        term = (term * square >> bits) // ((k + 1) * (k + 2))
+        k, sign = k + 2, -sign if x > 0 else sign
+        total += sign * term
+    return mpmath.ldexp(mpmath.mpf(total), -bits)
 
 
 # ------------------------------------------------------------------------------ the functions of a robot

@@ -344,8 +344,5 @@ class Numeric:
 
 def _sizes(chain: Chain) -> dict[str, tuple[int, ...]]:
     """The shapes of the functions' arguments, by name."""
-    return {"q": (chain.nq,), "v": (chain.nvz,), "vdot": (chain.nvz,)} | {
-        "tau": (chain.n_tau,),
-        "w_ext": (chain.n, 6),
-        "x": (state_size(chain),),
-    }
+    of_states = {"q": (chain.nq,), "v": (chain.nvz,), "vdot": (chain.nvz,), "x": (state_size(chain),)}
+    return of_states | {"tau": (chain.n_tau,), "w_ext": (chain.n, 6)}

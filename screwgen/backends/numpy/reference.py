@@ -184,6 +184,8 @@ def _elementwise(real: type) -> Callable:
     def apply(op: str, x: np.ndarray) -> np.ndarray:
         if op in ("neg", "on"):
             return -x if op == "neg" else (x > 0).astype(real)
+        if op == "sqrt":  # every machine rounds it to the nearest
+            return np.sqrt(x)
         return np.array([real(_real(op, mpmath.mpf(float(entry)))) for entry in np.atleast_1d(x)])
 
     return apply

@@ -57,9 +57,9 @@ def plan(
     `models`: factors of parameters of further models, by names or patterns as `{"*.bodies[0].mass": 1.3}`; with them
     the same references and torques bring all models to rest, each under the law of the joints, and at its own sag.
     `limits`: `lower`, `upper`, `rates`, `efforts` and `effort_rates` of the joints, tighter ones than those of the
-    robot file; a joint that no drive moves, as a rope's, has the effort 0. Efforts are those of drives, so of a cylinder
-    forces along it, N; ranges and rates those of joints. `strains` and `wrenches` are tables of the
-    largest sizes of `model.strain_names` and `model.wrench_names`, as `{"*.base_strain.*": 0.02}`.
+    robot file; a joint that no drive moves, as a rope's, has the effort 0. Efforts are those of drives, of a cylinder
+    the force along it, N; ranges and rates are those of joints. `strains` and `wrenches` are tables of the largest
+    sizes of `model.strain_names` and `model.wrench_names`, as `{"*.base_strain.*": 0.02}`.
     `intervals`: of the time; torques are linear over each, so they do not reach modes faster than these.
     `fast`: joints move along polynomials whose coefficients are found by least squares, within a second or so. Limits
     are not sought with but checked: a motion that passes one is refused. The time is stated; intervals are finer.

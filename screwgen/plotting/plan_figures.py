@@ -24,7 +24,7 @@ STILL = 1e-7
 
 
 def joint_units(report: PlanReport) -> list[tuple[str, str]]:
-    """The units of each joint's coordinate and of its effort, of an elastic drive at the joint, along a cylinder in N."""
+    """The units of each joint's coordinate and of its effort: of elastic drives at the joint, of cylinders N."""
     units, cylinders = coordinate_units(report.model.robot)[: report.model.n_joints], report.model.chain.cylinders
     return [(unit, "N" if unit == "m" or joint in cylinders else "N·m") for joint, unit in enumerate(units)]
 

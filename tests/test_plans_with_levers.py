@@ -124,3 +124,8 @@ def test_c_of_a_plan_gives_what_python_gives(tmp_path):
 def test_a_dead_centre_is_one_line():
     with pytest.raises(UsageError, match="its cylinder is in a dead centre, where no force turns the joint"):
         screwgen.plan(lifted(CYLINDER), [-ANGLE], [0.5], 1.5, gains=LAW, fast=True)
+
+
+def test_gains_behind_a_lever_are_not_sought():
+    with pytest.raises(UsageError, match="has transmissions, for which there is no search for gains yet"):
+        screwgen.gains(lifted(CYLINDER), [[0.0]])

@@ -161,7 +161,7 @@ def drawn(seed: int, name: str = "") -> Asked:
     inertia = np.abs(np.diag(still.rigid_inertia(held[0].q)))
     way = np.abs(goal - start)
     if rng.random() < 0.7:
-        rigid = np.max([np.abs(x.torque) for x in held], axis=0) + 6.0 * inertia * way / period**2
+        rigid = np.max([np.abs(x.effort) for x in held], axis=0) + 6.0 * inertia * way / period**2
         limits["efforts"] = rigid * rng.uniform(0.8, 3.0) + 1e-3
     if rng.random() < 0.5:
         limits["rates"] = way / period * rng.uniform(0.9, 3.0) + 1e-3

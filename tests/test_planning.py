@@ -194,7 +194,6 @@ def test_what_forbids_a_plan_is_one_line(said, goal, time, more):
 @pytest.mark.parametrize(
     ("name", "what"),
     [
-        ("crane", "transmissions"),
         ("parallelogram", "loops"),
         ("tentacle", "no joints"),
         ("space_arm", "floating base"),

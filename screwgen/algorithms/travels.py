@@ -163,7 +163,7 @@ def travels(chain: Chain, q: Numbers, p: Numbers) -> np.ndarray:
     reach the link.
     """
     out = np.array([q, np.ones(chain.n_joints), np.zeros(chain.n_joints)], float)
-    for i, place, travel, given in chain.travel_numbers(p):
+    for i, place, travel, given in chain.travel_numbers(np.asarray(p, float).tolist()):
         at = float(q[place])
         try:
             found, guards = run(relation(travel), {"q": [at], "given": given}, _unary, 2.0**-52)
@@ -178,6 +178,40 @@ def travels(chain: Chain, q: Numbers, p: Numbers) -> np.ndarray:
 
 def _unary(op: str, x: float) -> float:
     return -x if op == "neg" else getattr(math, op)(x)
+
+
+def ahead_of_joints(chain: Chain, q: Numbers, v: Numbers, p: Numbers) -> tuple[np.ndarray, np.ndarray]:
+    """How far rotors behind elastic gears of transmissions are ahead of their joints, and how fast: (n_joints,) each.
+
+    ``q`` (nq,) and ``v`` (nv,) are those of the robot. A rotor that is ahead of its transmission by ``e`` stands where
+    that of a rigid gear has the joint at ``y`` with ``l(y) = l(q) + e``, so ``l'(y) ydot = l'(q) qdot + edot``: these
+    are ``y - q`` and ``ydot - qdot``, 0 of other joints and in a dead centre. Raises SingularError where a linkage does
+    not reach that far.
+    """
+    none = np.zeros(chain.n_joints)
+    if not chain.elastic_travels:
+        return none, none
+    q, v = np.asarray(q, float), np.asarray(v, float)
+    joints, rates = (x[first : first + chain.n_joints] for x, first in ((q, chain.base_q), (v, chain.base_v)))
+    places = list(chain.elastic_travels.values())
+    stretch, faster = none.copy(), none.copy()
+    stretch[list(chain.elastic_travels)] = q[np.array(places) + chain.base_q - chain.base_v]
+    faster[list(chain.elastic_travels)] = v[places]
+    length, slope, _ = travels(chain, joints, p)
+    moves = np.isin(np.arange(chain.n_joints), list(chain.elastic_travels)) & (np.abs(slope) > DEAD)
+    there, lever = joints.copy(), slope
+    for _ in range(NEWTONS):
+        step = np.where(moves, length + stretch - travels(chain, there, p)[0], 0.0) / np.where(moves, lever, 1.0)
+        there = there + step
+        lever = travels(chain, there, p)[1]
+        if np.abs(step).max() <= CLOSE * (1.0 + np.abs(there).max()):
+            break
+    rate = (slope * rates + faster) / np.where(moves, lever, 1.0)
+    return there - joints, np.where(moves, rate - rates, 0.0)
+
+
+NEWTONS, CLOSE = 20, 1e-14
+"""Steps of the search for where a rigid gear would have a joint, and the last of them."""
 
 
 def efforts(chain: Chain, torques: np.ndarray, q: Numbers, p: Numbers, held: bool = False) -> np.ndarray:

@@ -152,7 +152,7 @@ def _resting(model: RobotModel, start: np.ndarray, p: np.ndarray) -> RestingArm:
     still = Still(model, p)
     if not model.chain.closing.rows:
         rest = still.held(start)
-        return RestingArm(still.drives.to_robot(rest.q), rest.torque, tuple(range(len(start))))
+        return RestingArm(still.drives.to_robot(rest.q), rest.effort, tuple(range(len(start))))
     found = equilibrium(model, start, hold=True)
     leading = tuple(model.q_names.index(name) for name in found.held_joints)
     return RestingArm(found.q, still.drives.efforts(found.tau), leading)

@@ -34,7 +34,7 @@ def broken_limit(limits: MotionLimits, model: RobotModel, run: Run, strain: np.n
     drives = DriveCoordinates(model.chain, model.parameter_values)
     for what, names, values, low, high in (
         ("", model.q_names, drives.driven(run.q), limits.lower, limits.upper),
-        ("the rate ", model.v_names, drives.driven(run.v), -limits.rates, limits.rates),
+        ("the rate ", model.v_names, drives.driven_rates(run.q, run.v), -limits.rates, limits.rates),
         ("the effort ", model.tau_names, drives.efforts(run.tau), -limits.efforts, limits.efforts),
         ("the strain ", model.strain_names, strain, -limits.strains, limits.strains),
     ):
@@ -144,8 +144,8 @@ class MotionMaker:
         held = np.concatenate([run.drive_effort[:, :-1], run.drive_effort[:, -2:-1]], axis=1)
         held[~run.ok] = np.inf
         if following := self.begin.following:
-            references, driven = references.copy(), self.drives.driven
-            for k, curve in enumerate((driven(run.q), driven(run.v), np.gradient(driven(run.v), self.step, axis=1))):
+            references, rates = references.copy(), self.drives.driven_rates(run.q, run.v)
+            for k, curve in enumerate((self.drives.driven(run.q), rates, np.gradient(rates, self.step, axis=1))):
                 references[:, k, :, following] = np.moveaxis(curve[..., following], 2, 0)
         return Motions(run.q, run.v, held, references)
 

@@ -79,9 +79,9 @@ class FollowedMotion:
 
     motion: np.ndarray
     by_c: np.ndarray
-    torques: np.ndarray
-    """(n_joints, points): of the joints, before that of the law is taken off."""
-    torques_by_c: np.ndarray
+    efforts: np.ndarray
+    """(n_joints, points): of drives, where joints go as told."""
+    efforts_by_c: np.ndarray
     off: float
     """The largest unbalanced force before the step, by the size of torques."""
 
@@ -90,48 +90,52 @@ class Responding:
     """One of the models of a plan as its joints, or their references and torques, are told to go."""
 
     def __init__(self, task: Task, member: PlannedModel, given: bool):
-        """`given`: joints go as told; otherwise references and torques are told, and the law does the rest."""
+        """`given`: joints go as told; otherwise references and efforts are told, and the law does the rest."""
         self.task, self.member, self.given = task, member, given
         n, self.m = len(member.start.q), len(task.start)
         self.free = slice(self.m if given else 0, n)
-        z = [ca.SX.sym(name, n) for name in "qva"]
-        force = member.still.residual(*z)
-        slopes = [ca.densify(ca.jacobian(force, x)) for x in z]
-        self.slopes = ca.Function("slopes", z, [force, *slopes]).map(2 * task.intervals + 1)
+        z, told = ([ca.SX.sym(name, size) for name in "qva"] for size in (n, self.m))
+        force = self._efforts(*z) if given else self._unbalanced(z, told)
+        slopes = [ca.densify(ca.jacobian(force, x)) for x in (*z, *told)]
+        self.slopes = ca.Function("slopes", [*z, *told], [force, *slopes]).map(2 * task.intervals + 1)
         h = task.time / task.intervals
         self.rule = h * np.array([INNER, OUTER])
+
+    def _efforts(self, q: ca.SX, v: ca.SX, a: ca.SX) -> ca.SX:
+        """(n,): the efforts of drives, then forces that nothing bears."""
+        force = self.member.still.residual(q, v, a)
+        return ca.vertcat(force[: self.m] / self.member.still.levers(q), force[self.m :, :])
+
+    def _unbalanced(self, z: Sequence[ca.SX], told: Sequence[ca.SX]) -> ca.SX:
+        """(n,): forces less those of told efforts and of the law."""
+        q, v, _ = z
+        torques = self.task.law.torques(told[0] - q[: self.m], told[1] - v[: self.m])
+        force = self.member.still.residual(*z)
+        return ca.vertcat(force[: self.m] - self.member.still.levers(q) * told[2] - torques, force[self.m :, :])
 
     def follow(self, motion: np.ndarray, told: np.ndarray, told_by_c: np.ndarray) -> FollowedMotion:
         """A step of Newton's method from a motion (3, n, points), and how the result depends on coefficients.
 
-        `told` (3 or 4, n_joints, points): coordinates, rates and accelerations of the joints, or of their references,
-        then with the torques in place of accelerations; `told_by_c` has one more axis, of coefficients.
+        `told` (3, n_joints, points): coordinates, rates and accelerations of the joints, or of their references, then
+        with the efforts in place of accelerations; `told_by_c` has one more axis, of coefficients.
         """
         n, m, free, points = motion.shape[1], self.m, self.free, motion.shape[2]
         if self.given:
             motion = motion.copy()
             motion[:, :m] = told
-        force, *slopes = (np.array(x) for x in self.slopes(*motion))
-        F = np.moveaxis(np.array(slopes).reshape(3, n, points, n), 2, 1)
+        force, *slopes = (np.array(x) for x in self.slopes(*motion, *told))
+        F, by_told = (np.moveaxis(np.array(x).reshape(3, n, points, -1), 2, 1) for x in (slopes[:3], slopes[3:]))
         columns = np.zeros((points, n, 1 + told_by_c.shape[-1]))
         columns[:, :, 0] = -force.T
-        if self.given:
-            columns[:, :, 1:] -= np.einsum("dpij,djpc->pic", F[..., :m], told_by_c)
-        else:
-            kp, kd = self.task.law.kp[:, None], self.task.law.kd[:, None]
-            columns[:, :m, 0] += (told[2] + kp * (told[0] - motion[0, :m]) + kd * (told[1] - motion[1, :m])).T
-            by_c = told_by_c[2] + kp[:, :, None] * told_by_c[0] + kd[:, :, None] * told_by_c[1]
-            columns[:, :m, 1:] += by_c.transpose(1, 0, 2)
-            F[0, :, range(m), range(m)] += self.task.law.kp[:, None]
-            F[1, :, range(m), range(m)] += self.task.law.kd[:, None]
+        columns[:, :, 1:] -= np.einsum("dpij,djpc->pic", F[..., :m] if self.given else by_told, told_by_c)
         change = np.zeros((3, n, points, columns.shape[2]))
         change[:, free] = self._integrated(F[:, :, free, free], columns[:, free], motion[:, free])
         if self.given:
             change[:, :m, :, 1:] = told_by_c
         by_change = np.einsum("dpij,djpc->ipc", F[:, :, :m], change)
-        torques = force[:m, :, None] * (np.arange(change.shape[-1]) == 0) + by_change
+        efforts = force[:m, :, None] * (np.arange(change.shape[-1]) == 0) + by_change
         off = float(np.abs(columns[:, free, 0]).max(initial=0.0) / self.task.force_scale)
-        return FollowedMotion(motion + change[..., 0], change[..., 1:], torques[..., 0], torques[..., 1:], off)
+        return FollowedMotion(motion + change[..., 0], change[..., 1:], efforts[..., 0], efforts[..., 1:], off)
 
     def _integrated(self, F: np.ndarray, columns: np.ndarray, motion: np.ndarray) -> np.ndarray:
         """Changes (3, f, points, C) of a motion (3, f, points), with derivatives `F` (3, points, f, f) of its forces.
@@ -194,19 +198,19 @@ class LeastSquares:
         return out
 
     def follow(self, motions: Sequence[np.ndarray], c: np.ndarray) -> list[FollowedMotion]:
-        """The motions of coefficients (n_joints, K): of the first model, and what others make of its torques."""
+        """The motions of coefficients (n_joints, K): of the first model, and what others make of its efforts."""
         told, by_c = self.shape.motion(c), self.by_c
         first = self.models[0].follow(motions[0], told, by_c)
-        told, by_c = np.stack([*told[:2], first.torques]), np.stack([*by_c[:2], first.torques_by_c])
+        told, by_c = np.stack([*told[:2], first.efforts]), np.stack([*by_c[:2], first.efforts_by_c])
         others = zip(self.models[1:], motions[1:], strict=True)
         return [first, *(model.follow(motion, told, by_c) for model, motion in others)]
 
     def about(self, motions: Sequence[np.ndarray], c: np.ndarray) -> LinearCost:
         """Values whose squares are the cost, and their slopes, about motions of coefficients (n_joints, K)."""
         found = self.follow(motions, c)
-        size, weight = np.sqrt(self.points - 1) / self.task.force_scale, np.sqrt(self.task.weight)
-        values = [size * np.diff(found[0].torques, axis=1).ravel()]
-        slopes = [size * np.diff(found[0].torques_by_c, axis=1).reshape(values[0].size, -1)]
+        size, weight = np.sqrt(self.points - 1) / self.task.effort_scales[:, None], np.sqrt(self.task.weight)
+        values = [(size * np.diff(found[0].efforts, axis=1)).ravel()]
+        slopes = [(size[..., None] * np.diff(found[0].efforts_by_c, axis=1)).reshape(values[0].size, -1)]
         left = []
         for x, root, response in zip(self.members, self.roots, found, strict=True):
             end = np.append(response.motion[0, :, -1] - x.goal.q, response.motion[1, :, -1])
@@ -247,14 +251,14 @@ class LinearCost:
 
 
 def fast(task: Task, members: Sequence[PlannedModel], progress: Progress | None = None) -> Found:
-    """The motions of least cost of all models, with torques (n_joints, points) at ends and middles of intervals.
+    """The motions of least cost of all models, with efforts (n_joints, points) at ends and middles of intervals.
 
     `sound` says that the search has ended and that nothing vibrates; limits are for the caller to check.
     """
     if len(members) == 1 and task.weight == WEIGHT:
         task = task.stricter()
     squares = LeastSquares(task, members)
-    c, motions, torques = squares.none, squares.begin(), np.zeros((len(task.start), squares.points))
+    c, motions, efforts = squares.none, squares.begin(), np.zeros((len(task.start), squares.points))
     best, stride, far = None, np.inf, np.inf
     settled, converged, done = False, False, 0
     while done < MOST + HELD and not converged:
@@ -275,14 +279,14 @@ def fast(task: Task, members: Sequence[PlannedModel], progress: Progress | None 
         if not np.isfinite(change):
             break
         c, motions = best.c + step.reshape(c.shape), moved
-        torques = best.found[0].torques + best.found[0].torques_by_c @ step
+        efforts = best.found[0].efforts + best.found[0].efforts_by_c @ step
         converged = settled and best.off <= CLOSE
         settled = settled or change <= SETTLED
     if progress is not None:
         progress(MOST + HELD, MOST + HELD)
     cost, left = (best.cost, best.left) if best else (np.inf, np.inf)
     sound = converged and (len(members) > 1 or left <= LEFT)
-    return Found([Trajectory(*x) for x in motions], torques, task.time, done, cost, left, sound)
+    return Found([Trajectory(*x) for x in motions], efforts, task.time, done, cost, left, sound)
 
 
 def _root(energy: np.ndarray) -> np.ndarray:

@@ -1,7 +1,7 @@
 """A motion between two rests as a nonlinear programme: direct collocation on the residuals of inverse dynamics.
 
 Every interval has three points, its ends and its middle. Rates and coordinates follow from the accelerations at these
-by the Lobatto rule of order 4 (IIIA), which bears oscillations much faster than an interval. Torques of drives are
+by the Lobatto rule of order 4 (IIIA), which bears oscillations much faster than an interval. Efforts of drives are
 linear over an interval. Several models share the motion of the first: what another one's joints lag behind, the joint
 law corrects.
 """
@@ -81,31 +81,31 @@ class Trajectory:
 
 @dataclass
 class Transcription:
-    """The programme of a task over models, and where in its unknowns the motions and the torques are."""
+    """The programme of a task over models, and where in its unknowns the motions and the efforts are."""
 
     programme: Programme
     motions: list[Trajectory]
-    torques: Any
+    efforts: Any
     unpack: ca.Function
 
     def values(self, x: np.ndarray) -> tuple[list[Trajectory], np.ndarray]:
-        """The motions and the torques (n_joints, intervals + 1) of a solution."""
+        """The motions and the efforts (n_joints, intervals + 1) of a solution."""
         found = [np.array(part) for part in self.unpack(x)]
         return [Trajectory(*found[i : i + 3]) for i in range(0, len(found) - 1, 3)], found[-1]
 
 
 def transcribed(
-    task: Task, members: Sequence[PlannedModel], guesses: Sequence[Trajectory], torque: np.ndarray
+    task: Task, members: Sequence[PlannedModel], guesses: Sequence[Trajectory], guessed: np.ndarray
 ) -> Transcription:
     """The programme of a task for models of which the first one is the one that is planned for."""
     made, N, m = Programme(), task.intervals, len(task.start)
-    effort = task.limits.efforts
-    ends = [members[0].start.torque, members[0].goal.torque]
-    most, least = (np.repeat(s * effort[:, None], N + 1, axis=1) for s in (1.0, -1.0))
+    limits = task.limits.efforts
+    ends = [members[0].start.effort, members[0].goal.effort]
+    most, least = (np.repeat(s * limits[:, None], N + 1, axis=1) for s in (1.0, -1.0))
     for bound in (most, least):
         bound[:, 0], bound[:, -1] = ends
-    torques = made.unknown("torques", torque, most, least)
-    everywhere = at_points(torques, N)
+    efforts = made.unknown("efforts", guessed, most, least)
+    everywhere = at_points(efforts, N)
     motions = [
         _motion(made, task, member, guess, i) for i, (member, guess) in enumerate(zip(members, guesses, strict=True))
     ]
@@ -113,23 +113,27 @@ def transcribed(
     for point in task.through:
         made.zero(_passed(first, point.share, task.time)[0] - ca.DM(point.joints))
     for i, (member, motion) in enumerate(zip(members, motions, strict=True)):
-        own, applied = motion.joints(m), everywhere
+        levers = member.still.levers.map(2 * N + 1)(motion.q)
+        torques = levers * everywhere
         if i:
-            applied = everywhere + task.law.kp_column * (first.q - own.q) + task.law.kd_column * (first.v - own.v)
-            if np.isfinite(effort).any():
-                limited = np.flatnonzero(np.isfinite(effort)).tolist()
-                made.within(applied[limited, 1:-1], -effort[limited, None], effort[limited, None])
+            own = motion.joints(m)
+            added = task.law.torques(first.q - own.q, first.v - own.v)
+            torques += added
+            if np.isfinite(limits).any():
+                limited = np.flatnonzero(np.isfinite(limits)).tolist()
+                applied = everywhere + added / levers
+                made.within(applied[limited, 1:-1], -limits[limited, None], limits[limited, None])
         residual = member.still.residual.map(2 * N + 1)(motion.q, motion.v, motion.a)
-        made.zero((residual[:m, :] - applied) / member.force_scale)
+        made.zero((residual[:m, :] - torques) / member.force_scale)
         made.zero(residual[m:, :] / member.force_scale)
         _bounded_loads(made, task, member, motion)
         _bounded_between(made, task, member, motion)
-    _each_within(made, (torques[:, 1:] - torques[:, :-1]) * (N / task.time), task.limits.effort_rates)
-    steps = (torques[:, 1:] - torques[:, :-1]) / members[0].force_scale
-    made.cost += ca.sumsqr(steps) * N
+    steps = efforts[:, 1:] - efforts[:, :-1]
+    _each_within(made, steps * (N / task.time), task.limits.effort_rates)
+    made.cost += ca.sumsqr(steps / ca.DM(task.effort_scales)) * N
     parts = [x for motion in motions for x in (motion.q, motion.v, motion.a)]
-    unpack = ca.Function("unpack", [ca.vertcat(*made.unknowns)], _sorted(made, parts, torques))
-    return Transcription(made, motions, torques, unpack)
+    unpack = ca.Function("unpack", [ca.vertcat(*made.unknowns)], _sorted(made, parts, efforts))
+    return Transcription(made, motions, efforts, unpack)
 
 
 def _passed(motion: Trajectory, share: float, time: float) -> tuple[Vector, Vector]:
@@ -171,19 +175,19 @@ def _each_within(made: Programme, rows: Vector, most: np.ndarray) -> None:
         made.within(rows[limited, :] / ca.DM(most[limited]), -ones, ones)
 
 
-def _sorted(made: Programme, parts: Sequence[Vector], torques: Vector) -> list[Vector]:
-    """Motions and torques as functions of all unknowns in one column."""
-    return [*parts, torques]
+def _sorted(made: Programme, parts: Sequence[Vector], efforts: Vector) -> list[Vector]:
+    """Motions and efforts as functions of all unknowns in one column."""
+    return [*parts, efforts]
 
 
-def at_points(torques: Any, N: int) -> Any:
-    """Torques at the ends and middles of intervals, of those at the ends."""
+def at_points(efforts: Any, N: int) -> Any:
+    """Efforts at the ends and middles of intervals, of those at the ends."""
     spread = np.zeros((N + 1, 2 * N + 1))
     for k in range(N + 1):
         spread[k, 2 * k] = 1.0
     for k in range(N):
         spread[k : k + 2, 2 * k + 1] = 0.5
-    return torques @ ca.DM(spread) if isinstance(torques, ca.MX) else torques @ spread
+    return efforts @ ca.DM(spread) if isinstance(efforts, ca.MX) else efforts @ spread
 
 
 def _motion(made: Programme, task: Task, member: PlannedModel, guess: Trajectory, i: int) -> Trajectory:

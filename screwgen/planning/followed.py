@@ -29,12 +29,12 @@ SPARE = 0.003
 def efforts_with_law(task: Task, member: PlannedModel, found: Found) -> np.ndarray:
     """(n_joints,): the largest efforts, of either sign, of drives that play what was found for a model."""
     m, fine = len(task.start), replace(task, intervals=FINER * task.intervals)
-    motion, torques = found.motions[0], found.torques_at_points
+    motion, efforts = found.motions[0], found.efforts_at_points
     stretches = motion.q.shape[1] - 1
     at = np.linspace(0.0, stretches, 2 * fine.intervals + 1)
     k = np.minimum(at.astype(int), stretches - 1)
     q, v = Curve(motion.q, motion.v, motion.a, task.time / stretches).at(k, at - k)
-    a, tau = (np.array([np.interp(at, np.arange(stretches + 1), row) for row in x]) for x in (motion.a, torques))
+    a, tau = (np.array([np.interp(at, np.arange(stretches + 1), row) for row in x]) for x in (motion.a, efforts))
     told, moved = np.stack([q[:m], v[:m], tau]), np.stack([q, v, a])
     responding = Responding(fine, member, given=False)
     for _ in range(STEPS):
@@ -42,8 +42,8 @@ def efforts_with_law(task: Task, member: PlannedModel, found: Found) -> np.ndarr
         moved = followed.motion
         if followed.off <= CLOSE:
             break
-    lag = told[:2] - moved[:2, :m]
-    return np.abs(tau + task.law.kp[:, None] * lag[0] + task.law.kd[:, None] * lag[1]).max(axis=1)
+    added = task.law.torques(*(told[:2] - moved[:2, :m])) / member.still.levers_at(moved[0])
+    return np.abs(tau + added).max(axis=1)
 
 
 def within_efforts(

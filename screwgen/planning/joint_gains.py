@@ -216,7 +216,7 @@ class RestLoops:
         stills = [Still(model, p) for p in ways]
         rests = [(still, still.held(q)) for q in postures for still in stills]
         inertia = np.max([np.diag(np.array(still.inertia(rest.q))) for still, rest in rests], axis=0)
-        holding = np.max([np.abs(rest.torque) for _, rest in rests], axis=0)
+        holding = np.max([np.abs(rest.effort) for _, rest in rests], axis=0)
         return cls([SampledLoop.of(still, rest.q, step) for still, rest in rests], inertia, holding)
 
 

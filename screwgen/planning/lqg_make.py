@@ -109,7 +109,7 @@ class LqgArms:
     def _rest(self, model: RobotModel, values: np.ndarray, point: np.ndarray, others: np.ndarray) -> RestMatrices:
         still = Still(model, self.grid.parameters(model, values, point))
         rest = still.held(self.grid.posture(point, others))
-        return RestMatrices(*still.matrices(rest.q), rest.q[model.n_joints :], rest.torque)
+        return RestMatrices(*still.matrices(rest.q), rest.q[model.n_joints :], rest.effort)
 
 
 @dataclass(frozen=True)

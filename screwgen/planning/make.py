@@ -57,8 +57,9 @@ def plan(
     `models`: factors of parameters of further models, by names or patterns as `{"*.bodies[0].mass": 1.3}`; with them
     the same references and torques bring all models to rest, each under the law of the joints, and at its own sag.
     `limits`: `lower`, `upper`, `rates`, `efforts` and `effort_rates` of the joints, tighter ones than those of the
-    robot file; a joint that no drive moves, as a rope's, has the effort 0. `strains` and `wrenches` are tables of the
-    largest sizes of `model.strain_names` and `model.wrench_names`, as `{"*.base_strain.*": 0.02}`.
+    robot file; a joint that no drive moves, as a rope's, has the effort 0. Efforts are those of drives, of a cylinder
+    the force along it, N; ranges and rates are those of joints. `strains` and `wrenches` are tables of the largest
+    sizes of `model.strain_names` and `model.wrench_names`, as `{"*.base_strain.*": 0.02}`.
     `intervals`: of the time; torques are linear over each, so they do not reach modes faster than these.
     `fast`: joints move along polynomials whose coefficients are found by least squares, within a second or so. Limits
     are not sought with but checked: a motion that passes one is refused. The time is stated; intervals are finer.
@@ -78,7 +79,7 @@ def plan(
     values = model.chain.parameters.vector(parameters)
     own, others = Still(model, values), [Still(model, scaled(model, values, factors)) for factors in models]
     first = check_ends(task, model, own, fixed)
-    task = task.measured_in(own.rigid_inertia(first.q), first.torque)
+    task = task.measured_in(own.rigid_inertia(first.q), first.effort, own.levers_at(first.q))
     calm, *more = (_calm(x, task) for x in (own, *others))
     search = lambda task, near: _found(task, calm, more, near, progress)  # noqa: E731
     if fast:
@@ -114,10 +115,10 @@ def _planned(model: RobotModel, task: Task, found: Found, said: Mapping[str, Any
     """What a search has found, as a plan."""
     m, motion = model.n_joints, found.motions[0]
     q, v, a = (np.ascontiguousarray(x[:m].T) for x in (motion.q, motion.v, motion.a))
-    torques = np.ascontiguousarray(found.torques_at_points.T)
+    efforts = np.ascontiguousarray(found.efforts_at_points.T)
     t, names = np.linspace(0.0, task.time, len(q)), tuple(model.q_names[:m])
     limits, law = task.limits.efforts / HEADROOM, task.law
-    return MotionPlan(model.robot.name, names, t, q, v, a, torques, law.kp, law.kd, limits, said)
+    return MotionPlan(model.robot.name, names, t, q, v, a, efforts, law.kp, law.kd, limits, said)
 
 
 def _calm(still: Still, task: Task) -> Still:
@@ -127,10 +128,8 @@ def _calm(still: Still, task: Task) -> Still:
 
 
 def _with_friction(own: Still, found: Found) -> Found:
-    """The same motion with the torques, at all points, of friction as it is: drives bear it where they cause it."""
-    motion = found.motions[0]
-    force = np.array(own.residual.map(motion.q.shape[1])(motion.q, motion.v, motion.a))
-    return replace(found, torques=force[: own.joints])
+    """The same motion with the efforts, at all points, of friction as it is: drives bear it where they cause it."""
+    return replace(found, efforts=own.efforts(found.motions[0]))
 
 
 def _found(task: Task, own: Still, others: Sequence[Still], near: Found | None, progress: Progress | None) -> Found:

@@ -12,9 +12,10 @@ import numpy as np
 
 from ..algorithms import fused
 from ..algorithms.functions import Functions
+from ..algorithms.travels import efforts
 from ..backends.casadi.expressions import expressions
 from ..backends.casadi.functions import symbols
-from ..errors import UsageError
+from ..errors import SingularError, UsageError
 from ..lazily import linalg
 from ..robot_model import RobotModel
 from ..spec.dry_friction import without_dry_friction
@@ -29,10 +30,10 @@ LIMITS = (".effort", ".lower", ".upper")
 
 @dataclass(frozen=True)
 class AtRest:
-    """A model at rest: coordinates (n,), and the torques of drives (n_joints,) that hold it, its law's included."""
+    """A model at rest: coordinates (n,), and the efforts of drives (n_joints,) that hold it, its law's included."""
 
     q: np.ndarray
-    torque: np.ndarray
+    effort: np.ndarray
 
 
 @fused.program("q v vdot w_ext", "joint_wrenches")
@@ -50,9 +51,12 @@ class Still:
         found = model.once("forces at rest", partial(_forces_at_rest, model))
         self.joints, self.drives = model.n_joints, DriveCoordinates(model.chain, p)
         z = [ca.SX.sym(name, model.nq) for name in "qva"]
-        force = model.casadi()["inverse_dynamics"](*map(self.drives.to_robot, z), ca.DM.zeros(6, model.n_links), p)
-        moving = self.drives.with_accelerations(self.drives.forces(force), z[2])
-        self.residual = ca.Function("residual", z, [moving])
+        force = model.casadi()["inverse_dynamics"](*self.drives.motion(*z), ca.DM.zeros(6, model.n_links), p)
+        forces = self.drives.with_accelerations(self.drives.forces(force, z[0]), z[2])
+        self.residual = ca.Function("residual", z, [forces])
+        levers = self.drives.levers(z[0])
+        self.levers = ca.Function("levers", z[:1], [levers])
+        self.lever_slopes = ca.Function("lever_slopes", z[:1], [ca.diag(ca.jacobian(levers, z[0][: self.joints]))])
         slipping = without_dry_friction(model.robot, p, bend=False)
         self.statics, self.damping, self.inertia = (
             partial(_at, f, own) for f, own in zip(found, (p, slipping, p), strict=True)
@@ -64,7 +68,7 @@ class Still:
         given = symbols(self.model.chain, "q v vdot w_ext p")
         wrench = expressions(_joint_wrenches(self.model.chain), given)["wrench"]
         whole, motion = ca.Function("wrenches", [*given.values()], [wrench]), [given[x] for x in ("q", "v", "vdot")]
-        moved = map(self.drives.to_robot, motion)
+        moved = self.drives.motion(*motion)
         return ca.Function("wrenches", motion, [whole(*moved, ca.DM.zeros(6, self.model.n_links), self.p)])
 
     @cached_property
@@ -77,30 +81,42 @@ class Still:
         """The rest with the drives where they are said to be."""
         q = np.zeros(self.model.nq) if near is None else near.copy()
         q[: self.joints] = joints
-        q = self._newton(q, np.zeros(self.joints), np.full(self.joints, np.inf))
+        q = self._newton(q, np.zeros(self.joints), np.zeros(self.joints), np.full(self.joints, np.inf))
         return AtRest(q, self.bearing(q))
 
     def bearing(self, q: np.ndarray) -> np.ndarray:
-        """(n_joints,): what drives bear at rest."""
+        """(n_joints,): what drives bear at rest. Raises UsageError where a transmission is in a dead centre."""
         torque = np.array(self.statics(q)[0]).ravel()[: self.joints]
         torque[self.drives.given] = 0.0
-        return torque
+        try:
+            return efforts(self.model.chain, torque, q[: self.joints], self.p)
+        except SingularError as error:
+            raise UsageError(str(error)) from None
 
-    def under(self, law: JointLaw, reference: np.ndarray, torque: np.ndarray, near: np.ndarray) -> AtRest:
-        """The rest under a torque and a joint law about a reference."""
-        q = self._newton(near.copy(), torque + law.kp * reference, law.kp)
-        return AtRest(q, torque + law.kp * (reference - q[: self.joints]))
+    def levers_at(self, q: np.ndarray) -> np.ndarray:
+        """(n_joints, …): the levers of drives at coordinates (nq, …), 1 of those without a transmission."""
+        return np.array(self.levers.map(q[0].size)(q.reshape(len(q), -1))).reshape(self.joints, *q.shape[1:])
 
-    def _newton(self, q: np.ndarray, load: np.ndarray, kp: np.ndarray) -> np.ndarray:
-        """The rest where drives bear `load − kp q`; those with an infinite `kp` stay."""
+    def efforts(self, motion: Any) -> np.ndarray:
+        """(n_joints, points): what drives give in a motion of coordinates, rates and accelerations (n, points) each."""
+        force = np.array(self.residual.map(motion.q.shape[1])(motion.q, motion.v, motion.a))
+        return force[: self.joints] / self.levers_at(motion.q)
+
+    def under(self, law: JointLaw, reference: np.ndarray, effort: np.ndarray, near: np.ndarray) -> AtRest:
+        """The rest under an effort and a joint law about a reference."""
+        q = self._newton(near.copy(), effort, law.kp * reference, law.kp)
+        return AtRest(q, effort + law.kp * (reference - q[: self.joints]) / self.levers_at(q))
+
+    def _newton(self, q: np.ndarray, effort: np.ndarray, load: np.ndarray, kp: np.ndarray) -> np.ndarray:
+        """The rest under efforts where joints bear `load − kp q` besides; those with an infinite `kp` stay."""
         m, held = self.joints, np.isinf(kp)
         held[self.drives.given] = True
         free = np.append(~held, np.ones(len(q) - m, bool))
         gain = np.where(held, 0.0, kp)
         for _ in range(STEPS):
-            force, K = (np.array(x) for x in self.statics(q))
-            force = force.ravel()
-            force[:m] -= load - gain * q[:m]
+            force = np.array(self.statics(q)[0]).ravel()
+            force[:m] -= self.levers_at(q) * effort + load - gain * q[:m]
+            K = self.stiffness(q, effort)
             K[range(m), range(m)] += gain
             step = np.linalg.solve(K[np.ix_(free, free)], -force[free]) if free.any() else np.zeros(0)
             q[free] += step
@@ -122,9 +138,15 @@ class Still:
         M[given, given] = 1.0
         return M
 
-    def energy(self, q: np.ndarray, kp: np.ndarray) -> np.ndarray:
+    def stiffness(self, q: np.ndarray, effort: np.ndarray) -> np.ndarray:
+        """(n, n): of small displacements from a rest under efforts (n_joints,), whose levers change with posture."""
+        K, joints = np.array(self.statics(q)[1]), range(self.joints)
+        K[joints, joints] -= np.array(self.lever_slopes(q)).ravel() * effort
+        return K
+
+    def energy(self, rest: AtRest, kp: np.ndarray) -> np.ndarray:
         """(2 n, 2 n): of displacements from a rest and rates, twice their energy; joints on springs `kp`."""
-        M, _, K = self.matrices(q)
+        M, K = np.array(self.inertia(rest.q)), self.stiffness(rest.q, rest.effort)
         K[range(self.joints), range(self.joints)] += kp
         return linalg.block_diag((K + K.T) / 2, (M + M.T) / 2)
 
@@ -135,7 +157,7 @@ def _forces_at_rest(model: RobotModel) -> tuple[ca.Function, ...]:
     q, v, a = (ca.SX.sym(name, n) for name in "qva")
     p = ca.SX.sym("p", len(model.parameter_values))
     drives = DriveCoordinates(model.chain, ca.vertsplit(p))
-    force = drives.forces(whole(*map(drives.to_robot, (q, v, a)), ca.DM.zeros(6, model.n_links), p))
+    force = drives.forces(whole(*drives.motion(q, v, a), ca.DM.zeros(6, model.n_links), p), q)
     rest = lambda x: ca.substitute(x, ca.vertcat(v, a), ca.DM.zeros(2 * n))  # noqa: E731
     still, damping, inertia = rest(force), rest(ca.jacobian(force, v)), rest(ca.jacobian(force, a))
     return (
@@ -175,7 +197,7 @@ def member(still: Still, task: Task, first: PlannedModel | None) -> PlannedModel
     start, goal = still.held(task.start), still.held(task.goal)
     if first is not None:
         start, goal = (
-            still.under(task.law, reference, planned.torque, near.q)
+            still.under(task.law, reference, planned.effort, near.q)
             for reference, planned, near in ((task.start, first.start, start), (task.goal, first.goal, goal))
         )
-    return PlannedModel(still, start, goal, still.energy(goal.q, task.law.kp), task.force_scale)
+    return PlannedModel(still, start, goal, still.energy(goal, task.law.kp), task.force_scale)

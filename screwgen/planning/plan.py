@@ -31,7 +31,8 @@ class MotionPlan:
     P points: the ends and the middles of intervals. Between two of them joints move along the polynomial of order 5
     that has their coordinates, rates and accelerations; torques are linear over intervals, so over points too.
     Before the first point and behind the last one everything rests. SI units, radians. Of a joint behind an elastic
-    gear all of it is said of the rotor: its coordinate over the ratio, its torque times the ratio.
+    gear all of it is said of the rotor: its coordinate over the ratio, its torque times the ratio. Of one with a
+    transmission the torque is the effort along it, of a cylinder N; gains are those of the joint.
     """
 
     robot: str

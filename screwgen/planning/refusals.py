@@ -36,9 +36,9 @@ def refuse_robot(
 ) -> None:
     """Refuse robots whose coordinates are not those of joints with a drive each, of gears that twist, and of modes.
 
-    ``what``: there is none for them. ``more``: it moves axes whose motion is given, too, and lets inputs of other kinds
-    stand at 0, so that brakes are open and tendons slack. ``loops``: it takes robots with loops, whose joints follow
-    others.
+    ``what``: there is none for them. ``more``: it moves axes with transmissions and of given motion, too, and lets
+    inputs of other kinds stand at 0, so that brakes are open and tendons slack. ``loops``: it takes robots with loops,
+    whose joints follow others.
     """
     chain = model.chain
     chain.refuse_quaternion_joints(what, instead)
@@ -46,7 +46,7 @@ def refuse_robot(
     if not loops:
         chain.refuse_loops(what, instead)
     others = {
-        "transmissions": bool(chain.travels),
+        "transmissions": bool(chain.travels) and not more,
         "axes whose motion is given": bool(chain.prescribed) and not more,
         "inputs that load links": chain.inputs_load_links,
         "brakes": bool(chain.braked) and not more,
@@ -69,8 +69,8 @@ def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> AtRest
                 raise UsageError(f"{end}: {names[j]} is {x:g}; its limits are {low:g} and {high:g}")
     start, goal = own.held(task.start), own.held(task.goal)
     for end, rest in (("start", start), ("goal", goal)):
-        for j, (effort, most) in enumerate(zip(np.abs(rest.torque), limits.efforts, strict=True)):
-            if effort > most + ROUNDING * (1.0 + np.abs(rest.torque).max()):
+        for j, (effort, most) in enumerate(zip(np.abs(rest.effort), limits.efforts, strict=True)):
+            if effort > most + ROUNDING * (1.0 + np.abs(rest.effort).max()):
                 raise UsageError(
                     f"{end}: to rest there takes {effort:.4g} of {names[j]}; of its limit {most:.4g} is planned with"
                 )
@@ -113,8 +113,8 @@ def no_fast_plan(task: Task, model: RobotModel, members: Sequence[PlannedModel],
     first = found.motions[0].joints(len(task.start))
     for i, (member, motion) in enumerate(zip(members, found.motions, strict=True)):
         own = motion.joints(len(task.start))
-        lag = task.law.kp[:, None] * (first.q - own.q) + task.law.kd[:, None] * (first.v - own.v)
-        moved = replace(found, motions=[motion], torques=found.torques + lag * (i > 0))
+        added = task.law.torques(first.q - own.q, first.v - own.v) / member.still.levers_at(motion.q)
+        moved = replace(found, motions=[motion], efforts=found.efforts + added * (i > 0))
         for name in _stated(task.limits):
             if (name != "rates of efforts" or not i) and (what := _passed(name, task, model, member.still, moved)):
                 of = f" of models[{i - 1}]" * (i > 0)
@@ -148,10 +148,10 @@ def without(task: Task, groups: list[str]) -> Task:
 def _passed(group: str, task: Task, model: RobotModel, own: Still, found: Found) -> str:
     """By how much a motion without limits passes those of a group, where it does so most."""
     m, limits, motion = len(task.start), task.limits, found.motions[0]
-    pace = np.diff(found.torques, axis=1) * (found.torques.shape[1] - 1) / task.time
+    pace = np.diff(found.efforts, axis=1) * (found.efforts.shape[1] - 1) / task.time
     loads = {what: (sizes, most, "", names) for what, sizes, most, names in _loads(model, own, motion, limits)}
     reached, most, unit, names = {
-        "efforts": (np.abs(found.torques).max(axis=1), limits.efforts, "", model.q_names),
+        "efforts": (np.abs(found.efforts).max(axis=1), limits.efforts, "", model.q_names),
         "rates": (np.abs(motion.v[:m]).max(axis=1), limits.rates, " 1/s", model.q_names),
         "joint ranges": (*_beyond(motion.q[:m], limits), model.q_names),
         "rates of efforts": (np.abs(pace).max(axis=1), limits.effort_rates, " per s", model.q_names),

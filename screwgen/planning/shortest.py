@@ -51,6 +51,6 @@ def _first(task: Task, own: Still) -> float:
     """A time in which a rigid arm would get there, joint by joint, with half of the efforts that remain."""
     rest = own.held(task.start)
     inertia = np.abs(np.diag(own.rigid_inertia(rest.q)))
-    way, spare = np.abs(task.way), task.limits.efforts - np.abs(rest.torque)
+    way, spare = np.abs(task.way), np.abs(own.levers_at(rest.q)) * (task.limits.efforts - np.abs(rest.effort))
     times = [2 * np.sqrt(2 * inertia * way / spare), 1.5 * way / task.limits.rates]
     return float(np.max(times))

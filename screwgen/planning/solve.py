@@ -27,10 +27,10 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True)
 class Found:
-    """The motions of all models and the torques (n_joints, intervals + 1 or points), and how the search went."""
+    """The motions of all models and the efforts (n_joints, intervals + 1 or points), and how the search went."""
 
     motions: list[Trajectory]
-    torques: np.ndarray
+    efforts: np.ndarray
     time: float
     iterations: int
     cost: float
@@ -40,16 +40,16 @@ class Found:
     """Whether everything that was asked for holds."""
 
     @property
-    def torques_at_points(self) -> np.ndarray:
-        """(n_joints, points): torques at the ends and middles of intervals."""
+    def efforts_at_points(self) -> np.ndarray:
+        """(n_joints, points): efforts at the ends and middles of intervals."""
         points = self.motions[0].q.shape[1]
-        return self.torques if self.torques.shape[1] == points else at_points(self.torques, points // 2)
+        return self.efforts if self.efforts.shape[1] == points else at_points(self.efforts, points // 2)
 
     def within(self, time: float) -> Found:
         """The same motions in another time, as a first guess."""
         s = self.time / time
         motions = [Trajectory(x.q, s * x.v, s * s * x.a) for x in self.motions]
-        return Found(motions, self.torques, time, 0, self.cost, np.inf, False)
+        return Found(motions, self.efforts, time, 0, self.cost, np.inf, False)
 
 
 def solve(
@@ -65,7 +65,7 @@ def solve(
     """
     near = (near or guess(task, members[0])).within(task.time)
     motions = [*near.motions, *(_beside(near, members[0], x) for x in members[len(near.motions) :])]
-    made = transcribed(task, members, motions[: len(members)], near.torques)
+    made = transcribed(task, members, motions[: len(members)], near.efforts)
     options: dict[str, Any] = {
         "print_time": False,
         "ipopt": {"print_level": 0, "sb": "yes", "max_iter": MOST, "tol": PRECISION, "mumps_pivtol": PIVOTS},
@@ -80,11 +80,11 @@ def solve(
     stats = solver.stats()
     if progress is not None:
         counter.end()
-    found, torques = made.values(result["x"])
+    found, efforts = made.values(result["x"])
     converged = stats["return_status"] in ("Solve_Succeeded", "Solved_To_Acceptable_Level")
     end = np.append(found[0].q[:, -1] - members[0].goal.q, found[0].v[:, -1])
     left = float(end @ members[0].energy @ end / task.energy_scale)
-    there = Found(found, torques, task.time, int(stats["iter_count"]), float(result["f"]), left, False)
+    there = Found(found, efforts, task.time, int(stats["iter_count"]), float(result["f"]), left, False)
     if not (converged or exact):
         again = solve(task, members, there, progress, exact=True)
         return replace(again, iterations=again.iterations + there.iterations)
@@ -113,12 +113,12 @@ def curvature(problem: dict[str, ca.MX]) -> ca.Function:
 
 
 def guess(task: Task, member: PlannedModel) -> Found:
-    """Coordinates that go from rest to rest along paths of least jerk, and torques that go evenly."""
+    """Coordinates that go from rest to rest along paths of least jerk, and efforts that go evenly."""
     s, N, T = np.linspace(0.0, 1.0, 2 * task.intervals + 1), task.intervals, task.time
     motion = _spline(task, member, s) if task.through else _least_jerk(member.start.q, member.goal.q, s, T)
-    ends = (member.goal.torque - member.start.torque)[:, None]
-    torques = member.start.torque[:, None] + ends * np.linspace(0.0, 1.0, N + 1)
-    return Found([motion], torques, T, 0, np.inf, np.inf, False)
+    ends = (member.goal.effort - member.start.effort)[:, None]
+    efforts = member.start.effort[:, None] + ends * np.linspace(0.0, 1.0, N + 1)
+    return Found([motion], efforts, T, 0, np.inf, np.inf, False)
 
 
 def _least_jerk(start: np.ndarray, goal: np.ndarray, s: np.ndarray, T: float) -> Trajectory:

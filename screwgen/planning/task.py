@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -25,13 +26,13 @@ class JointLaw:
     kp: np.ndarray
     kd: np.ndarray
 
-    @property
-    def kp_column(self) -> ca.DM:
-        return ca.DM(self.kp)
+    def torques(self, lag: Any, late: Any) -> Any:
+        """What the law adds at joints that are behind their references, arrays or expressions (n_joints, …).
 
-    @property
-    def kd_column(self) -> ca.DM:
-        return ca.DM(self.kd)
+        Where a drive has a transmission its effort is this over the lever of the posture.
+        """
+        kp, kd = self.kp[:, None], self.kd[:, None]
+        return kp * lag + kd * late if isinstance(lag, np.ndarray) else ca.DM(kp) * lag + ca.DM(kd) * late
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,7 @@ class MotionLimits:
     rates: np.ndarray
     efforts: np.ndarray
     effort_rates: np.ndarray
-    """N·m/s, of slides N/s: how fast torques of drives may change."""
+    """N·m/s, of slides and cylinders N/s: how fast efforts of drives may change."""
     strains: np.ndarray
     """(n_strains,): of the centrelines, in the order of `model.strain_names`, of either sign."""
     wrenches: np.ndarray
@@ -63,6 +64,8 @@ class Task:
     through: tuple[Waypoint, ...] = ()
     force_scale: float = 1.0
     """What torques are measured in, N·m."""
+    levers: np.ndarray | float = 1.0
+    """(n_joints,): sizes of the levers of drives, by which their efforts are measured as torques."""
     weight: float = WEIGHT
     """Of the energy that is left at the end, over that of the motion."""
     energy_scale: float = 1.0
@@ -90,8 +93,16 @@ class Task:
         """The same with limits at further shares of the time."""
         return replace(self, between=self.between + shares, rounds=self.rounds + 1)
 
-    def measured_in(self, inertia: np.ndarray, holding: np.ndarray) -> Task:
-        """The same with the sizes of its torques and energies, of an arm with an inertia (n_joints, n_joints)."""
-        rate = self.way / self.time
-        force = np.abs(np.append(inertia @ rate * 6 / self.time, holding)).max()
-        return replace(self, force_scale=float(force), energy_scale=float(rate @ inertia @ rate))
+    @property
+    def effort_scales(self) -> np.ndarray:
+        """(n_joints,): what efforts of drives are measured in."""
+        return self.force_scale / (self.levers * np.ones(len(self.start)))
+
+    def measured_in(self, inertia: np.ndarray, holding: np.ndarray, levers: np.ndarray) -> Task:
+        """The same with the sizes of its torques and energies, of an arm with an inertia (n_joints, n_joints).
+
+        `holding` (n_joints,): the efforts that hold it; `levers` (n_joints,): of its drives.
+        """
+        rate, levers = self.way / self.time, np.abs(levers)
+        force = np.abs(np.append(inertia @ rate * 6 / self.time, levers * holding)).max()
+        return replace(self, force_scale=float(force), levers=levers, energy_scale=float(rate @ inertia @ rate))

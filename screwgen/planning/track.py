@@ -12,6 +12,7 @@ import numpy as np
 from ..arguments import Given, Numbers, array, real_numbers, seconds
 from ..errors import UsageError
 from ..robot_model import RobotModel
+from .collocation import Trajectory
 from .inversion import IMMOBILE, TipEquations, Window, inverted
 from .limits import motion_limits
 from .make import law_of
@@ -101,11 +102,11 @@ def _planned(
     """The plan of coordinates, rates and accelerations at its points, which rests at both ends; checks limits."""
     m, points = model.n_joints, len(motion[0])
     law, limits = law_of(gains, m), motion_limits(model, {}, gains, 1.0)
-    tau = np.array(still.residual.map(points)(*(x.T for x in motion)))[:m].T
+    tau = still.efforts(Trajectory(*(x.T for x in motion))).T
     q, v, a = (np.ascontiguousarray(x[:, :m]) for x in motion)
     for end in (0, -1):
         v[end] = a[end] = 0.0
-        tau[end] = still.held(q[end]).torque
+        tau[end] = still.held(q[end]).effort
     names, most = tuple(model.q_names[:m]), limits.efforts
     check_limits("path", q, tau, limits, names)
     return MotionPlan(model.robot.name, names, np.linspace(0.0, time, points), q, v, a, tau, law.kp, law.kd, most, said)

@@ -24,9 +24,9 @@ STILL = 1e-7
 
 
 def joint_units(report: PlanReport) -> list[tuple[str, str]]:
-    """The units of each joint's coordinate and of its effort, which of an elastic drive is that at the joint."""
-    units = coordinate_units(report.model.robot)[: report.model.n_joints]
-    return [(unit, "N" if unit == "m" else "N·m") for unit in units]
+    """The units of each joint's coordinate and of its effort: of elastic drives at the joint, of cylinders N."""
+    units, cylinders = coordinate_units(report.model.robot)[: report.model.n_joints], report.model.chain.cylinders
+    return [(unit, "N" if unit == "m" or joint in cylinders else "N·m") for joint, unit in enumerate(units)]
 
 
 @styled

@@ -28,7 +28,8 @@ class Arrival:
     residual: float
     """m: the diagonal of the box in which the tip moves behind the end of the plan."""
     effort: np.ndarray
-    """(n_joints,): the largest torques, N·m, of slides forces, N, of either sign; of elastic drives times the ratio."""
+    """(n_joints,): the largest torques, N·m, of slides and cylinders forces, N, of either sign; of elastic drives
+    times the ratio."""
     saturated: int
     """Samples at which a drive gives all that it has."""
     joints: np.ndarray
@@ -72,5 +73,5 @@ def play(
         applied.max(axis=0),
         int(((applied >= FULL * plan.tau_max) & (plan.tau_max > 0)).any(axis=1).sum()),
         drives.driven(run.q[-1]) - plan.q[-1],
-        np.abs(drives.driven(run.v)).max(axis=0),
+        np.abs(drives.driven_rates(run.q, run.v)).max(axis=0),
     )

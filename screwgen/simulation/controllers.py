@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..algorithms.travels import DEAD, efforts, travels
+from ..algorithms.travels import ahead_of_joints, efforts
 from ..arguments import Numbers, parameters_keyword
 from ..errors import SingularError, UsageError
 from ..robot_model import RobotModel
@@ -98,7 +98,7 @@ class PD:
     `through`: behind a floating base; of an elastic drive the law measures the rotor's angle over the ratio in place of
     the joint's, and its torque acts on the rotor, less by the ratio. A cylinder is given the force that exerts the
     torque; its limit in `tau_max` is that of the force, N. So is a crank the torque at its pivot, N·m. Behind an
-    elastic gear the law measures the joint where a rigid one would have it, to first order in the stretch.
+    elastic gear the law measures the joint where a rigid one would have it.
     Other inputs stay zero, so tendons slack: `through` counts them.
     Raises UsageError where gains are negative, limits or the duration not positive, or the lengths differ.
     """
@@ -115,7 +115,7 @@ class PD:
     ahead: int = 0
     ratios: tuple[float, ...] | None = None
     efforts: Callable[[np.ndarray, np.ndarray], np.ndarray] | None = None
-    ahead_of_joints: Callable[[np.ndarray, np.ndarray], np.ndarray] | None = None
+    ahead_of_joints: Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]] | None = None
     idle: int = 0
 
     def __post_init__(self) -> None:
@@ -138,7 +138,7 @@ class PD:
     def starting_at(self, q: Numbers) -> PD:
         """The same law for a run that starts at `q` (nq,)."""
         q = np.asarray(q, float)
-        return replace(self, q_start=tuple(float(x) for x in self.measured(q, self.ahead) + self._stretched(q, q)))
+        return replace(self, q_start=tuple(self.seen(q, np.zeros(len(q)))[0].tolist()))
 
     def through(self, chain: Chain, p: Numbers) -> PD:
         """The same law for a robot's coordinates and through its elastic drives, at its parameters `p`.
@@ -152,19 +152,24 @@ class PD:
         ratios, ahead = 1.0 / chain.at_efforts(np.ones(chain.n_joints), p), chain.base_q - chain.base_v
         through = partial(_efforts, chain, p) if chain.travels else None
         driven = tuple(chain.effort_places)
-        own = partial(_ahead, chain, p) if chain.elastic_travels else None
+        ahead_of = partial(_ahead, chain, p) if chain.elastic_travels else None
         return replace(
             self,
             driven=driven,
             ahead=ahead,
             ratios=tuple(ratios.tolist()),
             efforts=through,
-            ahead_of_joints=own,
+            ahead_of_joints=ahead_of,
             idle=chain.n_tau - chain.n_joints,
         )
 
-    def _stretched(self, q: np.ndarray, x: np.ndarray) -> np.ndarray | float:
-        return 0.0 if self.ahead_of_joints is None else self.ahead_of_joints(q, x)
+    def seen(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The coordinates and rates of joints, (n_joints,) each, that the law measures in `q` (nq,) and `v` (nv,)."""
+        there, rates = self.measured(q, self.ahead), self.measured(v)
+        if self.ahead_of_joints is None:
+            return there, rates
+        further, faster = self.ahead_of_joints(q, v)
+        return there + further, rates + faster
 
     @property
     def own_ratios(self) -> np.ndarray:
@@ -223,8 +228,7 @@ class PD:
     def unlimited(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The torques that the law would give if drives had no limits."""
         q_ref, v_ref = self.reference(t)
-        there = self.measured(q, self.ahead) + self._stretched(q, q)
-        rate = self.measured(v) + self._stretched(q, v)
+        there, rate = self.seen(q, v)
         tau = (np.array(self.kp) * (q_ref - there) + np.array(self.kd) * (v_ref - rate)) / self.own_ratios
         if self.efforts is not None:
             tau = self.efforts(tau, there)
@@ -232,13 +236,8 @@ class PD:
         return tau if self.gravity is None else tau + self.gravity(there)
 
 
-def _ahead(chain: Chain, p: Numbers, q: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """How far rotors behind elastic gears of transmissions are ahead of their joints (n_joints,) in `x`, `q` or `v`."""
-    out, slope = np.zeros(chain.n_joints), travels(chain, q[chain.base_q : chain.base_q + chain.n_joints], p)[1]
-    for joint, place in chain.elastic_travels.items():
-        stretch = x[place + len(x) - chain.nv]
-        out[joint] = stretch / slope[joint] if abs(slope[joint]) > DEAD else 0.0
-    return out
+def _ahead(chain: Chain, p: Numbers, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    return ahead_of_joints(chain, q, v, p)
 
 
 def _efforts(chain: Chain, p: Numbers, torques: np.ndarray, q: np.ndarray) -> np.ndarray:

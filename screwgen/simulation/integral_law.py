@@ -56,7 +56,7 @@ class PID(PD):
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The torques, N·m, of slides forces, N, where they act; `t` is that of a clock that does not go back."""
-        there = self.measured(q, self.ahead) + self._stretched(q, q)
+        there = self.seen(q, v)[0]
         added = self.summed.advanced_to(t) / self.own_ratios
         tau, m = self.unlimited(t, q, v), len(self.ki)
         tau[:m] += added if self.efforts is None else self.efforts(added, there)[:m]

@@ -72,7 +72,7 @@ class Played(PD):
         """The law itself: a plan has a start of its own. A run that starts elsewhere is warned."""
         assert self.plan is not None
         start = self.plan.q[0]
-        there = self.measured(q, self.ahead)
+        there = self.seen(q, np.zeros(len(q)))[0]
         if (off := np.abs(there - start)).max() > AWAY:
             j = int(off.argmax())
             said = f"the plan starts at {start[j]:.4g} of {self.plan.joints[j]}, the run at {there[j]:.4g}"
@@ -84,12 +84,12 @@ class Played(PD):
         return self.plan.reference(t)
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """The torques, N·m, of slides forces, N, where they act: on the rotors of elastic drives."""
+        """The torques, N·m, of slides and cylinders forces, N, where they act: on the rotors of elastic drives."""
         assert self.plan is not None
-        q_ref, v_ref = self.reference(t)
-        lag, late = q_ref - self.measured(q, self.ahead), v_ref - self.measured(v)
-        tau = self.plan.mean_torque(t, t + self.step) + np.array(self.kp) * lag + np.array(self.kd) * late
-        most = self.plan.tau_max
+        (q_ref, v_ref), (there, rate) = self.reference(t), self.seen(q, v)
+        added = np.array(self.kp) * (q_ref - there) + np.array(self.kd) * (v_ref - rate)
+        added = added if self.efforts is None else self.efforts(added, there)
+        tau, most = self.plan.mean_torque(t, t + self.step) + added, self.plan.tau_max
         ratios = np.array(self.effort_ratios) if self.effort_ratios else self.own_ratios
         return np.append(np.clip(tau, -most, most) / ratios, np.zeros(self.idle))
 

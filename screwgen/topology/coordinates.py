@@ -235,12 +235,15 @@ class Coordinates(LawCoordinates):
         """The joint coordinates, as their numbers, that cylinders drive."""
         return [joint for joint, travel in self.travels.items() if travel.IS_LENGTH]
 
-    def travel_numbers(self, p: Any) -> Iterator[tuple[int, int, Travel, list[float]]]:
-        """Of every transmission its link, its joint coordinate, what it is, and its numbers out of the parameters."""
+    def travel_numbers(self, p: Any) -> Iterator[tuple[int, int, Travel, list[Any]]]:
+        """Of every transmission its link, its joint coordinate, what it is, and its numbers out of the parameters.
+
+        They are numbers or symbols, as the parameters are.
+        """
         for i, key in enumerate(self.keys):
             for axis, travel in key.travels.items():
                 places = (self.parameter_labels[i][f"drive_{name}_{axis + 1}"] for name in travel.KEYS)
-                yield i, self.tau_offset[i] + axis, travel, [float(p[place]) for place in places]
+                yield i, self.tau_offset[i] + axis, travel, [p[place] for place in places]
 
     @property
     def travel_kinds(self) -> list[Travel]:

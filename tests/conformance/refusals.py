@@ -24,10 +24,7 @@ class Refusal(NamedTuple):
 
 LOOPED = ("ball loop", "hinge loop", "slide loop", "welded loop", "coupling")
 BETWEEN = ("line spring", "rope", "bushing", "winch", "compliant loop")
-NOT_PLANNED = (
-    *("floating", "afloat", "moving", "ball", "cylinder", "four-bar", "elastic cylinder"),
-    *("elastic four-bar", "bristles", *LOOPED, "winch"),
-)
+NOT_PLANNED = (*("floating", "afloat", "moving", "ball", "bristles", *LOOPED, "winch"),)
 REFUSALS: tuple[Refusal, ...] = (
     *(
         Refusal("derivatives of wrenches", (x,), "those of robots with loops are not derived", "not derived for loops")

@@ -7,6 +7,7 @@ import pytest
 import random_robots as rr
 from floating_robots import SATELLITE, momentum, rod
 from helpers import model_of, quick, relative
+from pydantic import ValidationError
 
 import screwgen
 from screwgen import ScrewgenError, simulate
@@ -117,6 +118,32 @@ def test_what_no_ball_joint_has_is_refused_in_a_line(joint, other, said, tmp_pat
     with pytest.raises(ScrewgenError) as error:
         screwgen.load(tmp_path / "robot.toml")
     assert said in str(error.value) and "\n" not in str(error.value).strip()
+
+
+def test_the_axes_that_a_refusal_offers_in_place_of_a_ball_joint_are_taken():
+    """A load on a rope, a point mass, beside a cylinder: nothing resists a spin about it, so "x" is no way out."""
+    cylinder = {"transmission": {"crank": 0.9, "base": 1.25, "angle": 1.287}}
+    heel, rope = rod("heel", ["y"]), {"name": "rope", "length": 1.5, "joint": {"axes": "ball"}}
+    heel["joint"] |= {"drives": [cylinder]}
+    rope["bodies"] = [{"at": "tip", "mass": 300.0}]
+    robot = {"name": "crane", "gravity": [0.0, 0.0, -9.81], "links": [heel, rope]}
+    with pytest.raises(ValidationError) as error:
+        model_of(robot)
+    said = error.value.errors()[0]["msg"]
+    assert said.endswith("""in place of "ball": ["y", "z"], or ["x", "y", "z"] where something resists its spin""")
+    rope["joint"] = {"axes": ["y", "z"]}
+    model = model_of(robot)
+    vdot, _ = model.numpy().forward_dynamics(np.full(model.nq, 0.1), np.zeros(model.nv), np.zeros(3), None)
+    assert np.isfinite(vdot).all()
+
+
+def test_a_ball_joint_that_nothing_resists_is_told_what_it_may_have():
+    """No armature, which no ball joint has."""
+    rope = {"name": "rope", "length": 1.5, "joint": {"axes": "ball"}, "bodies": [{"at": "tip", "mass": 300.0}]}
+    model = model_of({"name": "crane", "gravity": [0.0, 0.0, -9.81], "links": [rope]})
+    words = 'give the link rhoIp, a body with inertia, or axes in place of "ball" about which something resists$'
+    with pytest.raises(screwgen.SingularError, match=words):
+        model.numpy().forward_dynamics(model.chain.home, np.zeros(3), np.zeros(3), None)
 
 
 USES = {

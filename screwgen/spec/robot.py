@@ -319,7 +319,8 @@ def refuse_beside_balls(robot: Robot) -> None:
         return
     joint = f"a {ball.joint.kind.name} joint, that of link '{ball.name}'"
     beside = f"is stated of a robot with {joint}, beside which it is not known yet"
-    beside += f'; leave it out, or give \'{ball.name}\' axes in place of "ball", as axes = ["x", "y", "z"]'
+    axes = '["y", "z"], or ["x", "y", "z"] where something resists its spin'
+    beside += f"; leave it out, or give '{ball.name}' axes in place of \"ball\": {axes}"
     for name, stated in (("loops", robot.rigid_loops), ("couplings", robot.couplings)):
         if stated:
             raise refuse(beside, at=(name,))

@@ -182,8 +182,10 @@ class Chain(Coordinates, ChosenInputs):
 
     def unresisted(self, link: int) -> SingularError:
         """The error of a link whose joint has no inertia in any posture."""
-        said = f"nothing resists the joint of link '{self.names[link]}'"
-        return SingularError(f"{said}; give the link rhoIp, a body with inertia, or the joint an armature")
+        said = f"nothing resists the joint of link '{self.names[link]}'; give the link rhoIp, a body with inertia"
+        if any(part.link == link for part in self.curved):
+            return SingularError(f'{said}, or axes in place of "ball" about which something resists')
+        return SingularError(f"{said}, or the joint an armature")
 
     def singular_loops(self) -> SingularError:
         """The error of loops whose rows depend on each other in a posture."""

@@ -82,6 +82,7 @@ FORCES: dict[str, dict] = {
         "forces": [
             {"name": "hoist", "between": ["boom.eye", "fore.tip"], "line": WINCH},
             {"name": "strap", "between": ["fore.tip", "boom.eye"], "line": RELAXING},
+            {"name": "mooring", "between": [{"world": [0.2, -0.5, -0.6]}, "boom.eye"], "line": WINCH | {"rest": 0.25}},
         ]
     },
 }

@@ -7,35 +7,16 @@ but rounding are none: a quaternion that is not scaled to one stays near it for 
 from __future__ import annotations
 
 import random
-from typing import NamedTuple
+
+from conformance.forgotten_later import LATER
+from conformance.mutation import ALGORITHMS, BODIES, HELD, INTERACTIONS, INTERNAL, C, Mutant
 
 SEED = 38
-ALGORITHMS, C, BODIES = "screwgen/algorithms/", "templates/c/", "screwgen/bodies/"
-HELD = "templates/c/features/held.jinja"
-INTERNAL = "templates/c/features/internal.jinja"
-INTERACTIONS = "screwgen/interactions/"
-
-
-class Mutant(NamedTuple):
-    """``old`` occurs once in the file, and ``new`` takes its place."""
-
-    feature: str
-    consumer: str
-    file: str
-    old: str
-    new: str
-
-    def __str__(self) -> str:
-        return f"{self.feature} × {self.consumer} ({self.file.rpartition('/')[2]})"
-
-    def applied(self, text: str) -> str:
-        assert text.count(self.old) == 1, f"{self}: {self.old!r} occurs {text.count(self.old)} times"
-        return text.replace(self.old, self.new)
 
 
 def drawn() -> list[Mutant]:
-    """All mutants in an order that is drawn once."""
-    return random.Random(SEED).sample(TABLE, len(TABLE))
+    """All mutants in an order that is drawn once, those that came later last."""
+    return [*random.Random(SEED).sample(TABLE, len(TABLE)), *LATER]
 
 
 M = Mutant

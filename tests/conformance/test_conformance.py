@@ -14,7 +14,7 @@ from conformance.arrays import covering, few, random_rows
 from conformance.cases import case_of
 from conformance.checks import CHECKS, outcome
 from conformance.features import FACTOR_OF, FACTORS, FEATURES, IMPOSSIBLE, features, pairs, possible, possible_pairs
-from conformance.forgotten import TABLE
+from conformance.forgotten import drawn
 from conformance.refusals import REFUSALS
 from conformance.table import page
 
@@ -84,7 +84,7 @@ def test_every_refusal_stands_in_a_row():
 
 def test_every_mutant_of_forgetting_finds_its_place():
     """A table that the product has outgrown tries nothing; `mutants` says whether each is noticed."""
-    for mutant in TABLE:
+    for mutant in drawn():
         text = (Path(__file__).parents[2] / mutant.file).read_text(encoding="utf-8")
         assert mutant.applied(text) != text
 

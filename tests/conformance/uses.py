@@ -169,12 +169,17 @@ def equilibrium(case: Case) -> None:
 
 
 def rests(model: RobotModel, rest: screwgen.Equilibrium, parameters: dict[str, float]) -> None:
-    """Nothing accelerates by more than a millionth of what a torque of 1 gives."""
+    """Nothing accelerates by more than a millionth of a torque of 1 gives; wrenches and efforts are the dynamics'."""
     f = model.numpy(model.chain.parameters.vector(parameters))
     zero, torques = np.zeros(model.nv), [".brake[" not in name for name in model.tau_names]
-    vdot, _ = f.forward_dynamics(rest.q, zero, rest.tau, None)
+    vdot, wrench = f.forward_dynamics(rest.q, zero, rest.tau, None)
     pushed = np.abs(f.forward_dynamics(rest.q, zero, rest.tau + torques, None)[0] - vdot).max()
     assert np.abs(vdot).max() < 1e-6 * max(pushed, 1.0), f"{np.abs(vdot).max():.1e} beside {pushed:.1e}"
+    effort = f.drive_effort(rest.q, zero, rest.tau, None) if model.chain.has_reactions else rest.tau
+    pairs = {"wrenches": (rest.wrench, wrench[model.chain.firsts]), "efforts": (rest.effort[torques], effort[torques])}
+    for what, (found, wanted) in pairs.items():
+        size = max(np.abs(wrench).max(), 1.0)
+        assert np.abs(found - wanted).max(initial=0.0) < 1e-6 * size, f"{what}: {found} are {wanted}"
 
 
 def closed(case: Case) -> tuple[np.ndarray, np.ndarray]:

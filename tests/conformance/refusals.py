@@ -29,10 +29,6 @@ NOT_PLANNED = (
     *("elastic four-bar", "bristles", *LOOPED, "winch"),
 )
 REFUSALS: tuple[Refusal, ...] = (
-    *(
-        Refusal("derivatives of wrenches", (x,), "those of robots with loops are not derived", "not derived for loops")
-        for x in LOOPED
-    ),
     Refusal("identification", ("moving",), "are not identified yet", "bases that move as is given follow no reading"),
     *(
         Refusal("identification", (x, base), "are identified on a fixed base", "windows close loops of such arms alone")

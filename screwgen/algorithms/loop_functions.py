@@ -7,7 +7,8 @@ from contextlib import AbstractContextManager, nullcontext
 from typing import Self
 
 from ..errors import SingularError
-from ..ir.program import Vector
+from ..ir.derivative import tangents
+from ..ir.program import Node, Vector
 from ..joints.constraints import Ratio
 from ..topology.chain import Chain
 from ..topology.loops import ClosingRow
@@ -37,6 +38,7 @@ class LoopFunctions:
     with_forces: Callable[..., Sequence]
     under_inputs: Callable[[Sequence], Self]
     braked: Callable[[Sequence], Self]
+    coordinate_rates: Callable[[Sequence, Sequence], list]
     _moving_tips: Callable[..., tuple[list, list[loops.Tip]]]
 
     def loop_wrenches(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
@@ -51,12 +53,33 @@ class LoopFunctions:
 
     def row_forces(self, q: Sequence, v: Sequence, given: loops.Loads) -> tuple[loops.LoopState, list]:
         """The same where what acts on the tips is known."""
+        state, wanted = self.wanted(q, v, given)
+        inertia = self.given[0] if self.given else None
+        return state, self.braked(given.tau)._unit_answers(q, state, inertia, wanted)[0][0]
+
+    def wanted(self, q: Sequence, v: Sequence, given: loops.Loads) -> tuple[loops.LoopState, list]:
+        """The loops in a state, and the accelerations of their gaps that the rows' forces must give."""
         state = self.loop_state(q, v)
         unconstrained = state.accelerations(*self.forward(q, v, *given))
-        inertia = self.given[0] if self.given else None
         with self.section("loops: accelerations of the gaps that the rows' forces must give"):
-            wanted = [-(c.power(unconstrained) + c.drift) for c in state.rows]
-        return state, self.braked(given.tau)._unit_answers(q, state, inertia, wanted)[0][0]
+            return state, [-(c.power(unconstrained) + c.drift) for c in state.rows]
+
+    def share_slopes(self, q: Sequence, v: Sequence, tau: Sequence, wanted: Sequence, inertia: Sequence) -> mx.Array:
+        """What forces of rows that share them change with q, (rows, nv), in a program that is being recorded.
+
+        The accelerations ``wanted`` of the gaps fix these forces as far as they move anything; that part is left out.
+        How rows share the rest follows from ``J M⁻¹ Jᵀ``, which turns with the posture. ``inertia``: that of the given
+        coordinates.
+        """
+        f, nv = self.braked(tau), self.chain.nv
+        entries = mx.pack(f._answers(q, self.loop_state(q, v), inertia)[0])
+        program, given = loops.share_slopes(len(wanted)), {"A": entries, "b": list(wanted)}
+        found = []
+        for k in range(nv):
+            rates = f.coordinate_rates(q, [float(i == k) for i in range(nv)])
+            along = tangents(entries, {a: b for a, b in zip(q, rates, strict=True) if isinstance(a, Node)})
+            found.append(self.apply(self.chain.closing.rows[-1].second, 0, program, given | {"A_along": along}))
+        return mx.array([one["x_along"] for one in found]).T
 
     def with_loops(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> loops.Loads:
         """Torques and wrenches on the tips, those of the loops and of forces between frames included."""

@@ -134,17 +134,23 @@ def wrench_program(chain: Chain, constants: str = "constants") -> Program:
     """``(q, v, vdot, tau, w_ext) -> (wrench, wrench_q, wrench_v, wrench_vdot)``, matrices row by row.
 
     Where loops close the tree the forces ``row`` of their rows are given too, and ``wrench_row`` (6 n, rows) is what a
-    unit of each adds at held accelerations. Where inputs change free fall, or forces between frames, ``wrench_input``
-    (inputs, 6 n) is what a unit of each but torques adds alike; with internal states of forces so is ``wrench_state``
-    (states, 6 n).
+    unit of each adds at held accelerations. Of rows that share forces the accelerations of gaps ``wanted`` of these and
+    the inertia ``m_eta`` are given besides, and ``row_share`` (rows, nv) is what the forces change with q beyond what
+    the motion needs. Where inputs change free fall, or forces between frames, ``wrench_input`` (inputs, 6 n) is what a
+    unit of each but torques adds alike; with internal states of forces so is ``wrench_state`` (states, 6 n).
     """
-    given = inputs(chain, "q v vdot tau w_ext") | ({"row": len(chain.closing.rows)} if chain.closing.rows else {})
+    rows, shares = len(chain.closing.rows), chain.closing.overconstrained
+    given = inputs(chain, "q v vdot tau w_ext" + " m_eta" * shares)
+    given |= ({"row": rows} if rows else {}) | ({"wanted": rows} if shares else {})
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
         found = wrench_slopes(f, x["q"], x["v"], x["vdot"], x["w_ext"], x["tau"], x.get("row", ()))
         own = f.wrenches_of_inputs(x["q"], x["v"], x["tau"]) if chain.inputs_load_links else []
         more = {"wrench_input": [w for wrench in own for w in wrench]} if chain.inputs_load_links else {}
-        more |= {"wrench_row": list(found["row"].flat)} if chain.closing.rows else {}
+        more |= {"wrench_row": list(found["row"].flat)} if rows else {}
+        if shares:
+            slopes = f.share_slopes(x["q"], x["v"], x["tau"], x["wanted"], x["m_eta"])
+            more["row_share"] = list(slopes.flat)
         if chain.n_force_states:
             by_state = f.wrenches_of_states(x["q"], x["v"], x["tau"])
             more |= {"wrench_state": [w for wrench in by_state for w in wrench]}

@@ -93,7 +93,7 @@ def _pieces(chain: Chain, baked: bool, place: Place) -> dict:
     }
     own |= brakes.rows(chain)
     of_rows = {"J": "J", "J_q": "rows.q", "J_v": "rows.v"}
-    own["row"] = entries("out->row")
+    own |= {"row": entries("out->row"), "wanted": entries("out->wanted")}
     own |= {name: entries(f"work->{to}", nv) for name, to in of_rows.items()}
     placed = piece_place(chain, "work->kept", own, place)
     made = pieces(program, placed, ("c", "state", "input", "work", "out"), fail=singular, outline=True)
@@ -130,7 +130,10 @@ def _wrench_pieces(chain: Chain, baked: bool, place: Place) -> dict:
         "wrench_input": entries("work->by_input", 6 * chain.n),
         "wrench_state": entries("work->by_state", 6 * chain.n),
         "row": entries("at->row"),
+        "wanted": entries("at->wanted"),
+        "m_eta": entries("at->m_eta"),
         "wrench_row": entries("work->by_row", len(chain.closing.rows)),
+        "row_share": entries("work->share", nv),
     }
     placed = piece_place(chain, "work->kept", own, place)
     made = pieces(program, placed, ("c", "state", "input", "at", "work", "out"), outline=True)

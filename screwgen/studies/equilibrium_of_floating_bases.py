@@ -40,7 +40,7 @@ def floating_equilibrium(
     if p[:3].any():
         said = f"robot '{model.robot.name}' has a floating base, which nothing holds against gravity"
         raise NoEquilibriumError(f"{said}; set gravity = [0.0, 0.0, 0.0], or fix the base to find its posture")
-    m, given = model.n_joints, None
+    m, given = model.chain.n_redundant, None
     if q is not None:
         given = checked(q, "q", m if np.size(q) == m else model.nq)
     start = whole(model.chain, given, p)

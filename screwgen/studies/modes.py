@@ -200,7 +200,6 @@ def loaded_motion(
     model: RobotModel, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray
 ) -> Steady:
     """Small motions about a steady motion, of which those of a robot with loops are about rest; see :func:`steady`."""
-    model.chain.refuse_quaternion_joints("modes under load", "take model.numpy().derivatives")
     model.chain.refuse_floating_base(*(LOADED if loaded or rates is not None else BESIDE_FORCES))
     if not model.chain.closing.rows:
         return steady(model, q, rates, loaded, p, moving)

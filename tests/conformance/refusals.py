@@ -55,7 +55,6 @@ REFUSALS: tuple[Refusal, ...] = (
         for base in ("floating", "afloat")
         for x in BETWEEN
     ),
-    *(Refusal("modes", ("ball", x), "there is no modes under load yet", "about a deflection") for x in BETWEEN),
     *(
         Refusal("equilibrium", ("rope", base), "on the floating base", "a rope to the world pulls a base that floats")
         for base in ("floating", "afloat")
@@ -81,7 +80,6 @@ REFUSALS: tuple[Refusal, ...] = (
         for check in ("equilibrium", "modes")
     ),
     *(Refusal("plan", (x,), "for which there is no plan", "plans are of arms with a drive each") for x in NOT_PLANNED),
-    Refusal("equilibrium", ("ball",), "there is no equilibrium yet", "the search adds coordinates, quaternions do not"),
 )
 
 

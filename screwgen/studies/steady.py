@@ -36,6 +36,8 @@ NOTHING = 1e-12
 """Gyroscopic coupling, relative to the largest, that is a rounding error."""
 UNRESISTED = 1e-10
 """Change of the forces by the turn of a joint, relative to the loads on the arm, that is a rounding error."""
+PULLED = 1e-9
+"""A force on a base that floats, relative to the largest, that is a rounding error."""
 GROWTH = 1e-7
 """Real part of an eigenvalue, relative to the largest modulus, that is a rounding error."""
 
@@ -87,7 +89,7 @@ def steady(
     where there is no such deflection, and where the loads on them change as joints turn.
     """
     chain = model.chain
-    v = chain.with_inner(checked(rates, "rates", model.n_joints), p)
+    v = np.append(np.zeros(chain.base_v), chain.with_inner(checked(rates, "rates", model.n_joints), p))
     _refuse_turning_balls(chain, v)
     p = np.array(p, float) if loaded else np.r_[np.zeros(3), p[3:]]
     q = deflected(model, q, v, p) if settle else q
@@ -97,6 +99,7 @@ def steady(
     if np.linalg.eigvalsh(M[np.ix_(moving, moving)])[0] <= 0:
         raise SingularError(f"the mass matrix is singular in this posture; lock the joints{model.chain.caution}")
     force = numeric.inverse_dynamics(q, v, None, None)
+    refuse_pulled_base(model, force, K)
     tau = chain.with_idle_inputs(efforts(chain, force[chain.held_places], chain.of_joints(q), p, held=True))
     if chain.travels:
         M, K, C = numeric.slopes(q, v, None, None, tau)
@@ -117,6 +120,15 @@ def _refuse_turning_balls(chain: Chain, v: np.ndarray) -> None:
         if v[part.v].any():
             said = f"rates: the {part.joint.name} joint of link '{chain.names[part.link]}' turns, for which there is no"
             raise UsageError(f"{said} table of modes; leave its rates at zero, or simulate it")
+
+
+def refuse_pulled_base(model: RobotModel, force: np.ndarray, K: np.ndarray) -> None:
+    """Raise UsageError where forces to the world pull a base that floats, or hold it by their stiffness."""
+    first = model.chain.base_v
+    left, size = np.abs(force[:first]).max(initial=0.0), max(np.abs(force).max(initial=0.0), 1.0)
+    if left > PULLED * size or np.abs(K[:, :first]).max(initial=0.0) > PULLED * np.abs(K).max():
+        said = f"robot '{model.robot.name}' has a floating base, which forces between it and the world pull"
+        raise UsageError(f"{said}; there is no table of its modes: take the eigenvalues of model.linearise")
 
 
 def unprescribed(chain: Chain) -> np.ndarray:
@@ -140,7 +152,8 @@ def deflected(model: RobotModel, q: np.ndarray, v: np.ndarray, p: np.ndarray) ->
     numeric, modes, eta = model.numpy(p), slice(chain.eta_v, model.nv), slice(chain.eta_q, model.nq)
     q = q.copy()
     if chain.n_added:
-        q[: chain.eta_q] = chain.with_added(q[: model.n_joints], p)
+        first = chain.base_q
+        q[first : chain.eta_q] = chain.with_added(q[first : first + model.n_joints], p)
     for _ in range(ITERATIONS):
         K = numeric.slopes(q, v, None, None)[1][modes, modes]
         step = np.linalg.lstsq(K, numeric.inverse_dynamics(q, v, None, None)[modes])[0]

@@ -23,7 +23,6 @@ class Refusal(NamedTuple):
 
 
 LOOPED = ("ball loop", "hinge loop", "slide loop", "welded loop", "coupling")
-BETWEEN = ("line spring", "rope", "bushing", "winch", "compliant loop")
 NOT_PLANNED = (
     *("floating", "afloat", "moving", "ball", "cylinder", "four-bar", "elastic cylinder"),
     *("elastic four-bar", "bristles", *LOOPED, "winch"),
@@ -51,13 +50,9 @@ REFUSALS: tuple[Refusal, ...] = (
     Refusal("URDF", ("screw",), "URDF has no joint that turns and travels at once", "URDF has no screws"),
     Refusal("URDF", ("ball",), "is a ball joint, which URDF does not have", "URDF has no ball joints"),
     *(
-        Refusal("modes", (base, x), "no table of modes beside forces between frames", "no table under loads that float")
+        Refusal(check, ("rope", base), words, "a rope to the world pulls a base that floats")
         for base in ("floating", "afloat")
-        for x in BETWEEN
-    ),
-    *(
-        Refusal("equilibrium", ("rope", base), "on the floating base", "a rope to the world pulls a base that floats")
-        for base in ("floating", "afloat")
+        for check, words in (("equilibrium", "on the floating base"), ("modes", "forces between it and the world pull"))
     ),
     Refusal(
         *("modes", ("compliant loop",), "find no steady deflection"),

@@ -30,7 +30,7 @@ from mixed_loops import JOINTS, Loops, bridged, coupled, names
 from oracle import Oracle
 from oracle_floating import ANGLE, floating
 from pydantic import ValidationError
-from random_features import dressed
+from random_features import dressed, with_balls
 
 from screwgen.elements import CYLINDER, STOP, FourBarLinkage
 
@@ -125,13 +125,15 @@ def with_coupling(rng, base: dict, judged: dict, state: dict) -> dict:
     return coupled(rng, judged, state, among=free) if len(free) > 1 and rng.random() < COUPLED else judged
 
 
-def drawn(seed: int, folder: Path, most: int = LINKS, dress: bool = False, **limits) -> Mixed:
+def drawn(seed: int, folder: Path, most: int = LINKS, dress: bool = False, balls: float = 0.0, **limits) -> Mixed:
     """A robot of `most` links or fewer whose equations are regular in its state; `dress`: it is dressed.
+
+    `balls`: of its joints how many are balls, beside which it has no loops.
 
     What the file refuses is left out and kept as `refused`.
     """
     rng, refused = np.random.default_rng([14, seed]), []
-    count, wanted = int(rng.integers(1, most + 1)), int(rng.integers(0, 3))
+    count, wanted = int(rng.integers(1, most + 1)), int(rng.integers(0, 3)) * (not balls)
     free, files = bool(rng.random() < 0.35), bool(rng.random() < 0.25)
     limits = LIMITS | {"max_modes": 1 + (count < 4)} | limits
     for attempt in range(200):
@@ -142,6 +144,8 @@ def drawn(seed: int, folder: Path, most: int = LINKS, dress: bool = False, **lim
         base = with_places(rng, with_segments(rng, floating(base) if free else base))
         if dress:
             base = dressed([seed, attempt], base)
+        if balls:
+            base = with_balls(np.random.default_rng([17, seed, attempt]), base, balls)
         case = _case(rng, base, wanted, folder, refused, [40, seed, attempt])
         if case is not None:
             return case

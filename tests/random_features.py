@@ -11,11 +11,11 @@ BALL, SPRING, TENDON, MARKER = 0.12, 0.2, 0.2, 0.3
 """Chances: of a link that it hangs on a ball joint, of an axis, of a flexible link, of a link."""
 
 
-def with_balls(rng, robot: dict) -> dict:
+def with_balls(rng, robot: dict, probability: float = BALL) -> dict:
     """The robot with some joints of three turns about any axis, but for that which a floating base has."""
     links = copy.deepcopy(robot["links"])
     for i, link in enumerate(links):
-        if (i or "base" not in robot) and link["joint"]["axes"] and chance(rng, BALL):
+        if (i or "base" not in robot) and link["joint"]["axes"] and chance(rng, probability):
             mount = link["joint"].get("mount")
             link["joint"] = {"axes": "ball"} | ({"mount": mount} if mount else {})
     return robot | {"links": links}

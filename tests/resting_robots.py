@@ -1,10 +1,10 @@
 """Random robots brought to rest by `equilibrium`, and judged by their energy: `python tests/resting_robots.py 0 500`.
 
-The robots are those of :mod:`mixed_arms` on fixed bases, small, with rods of all orders, and besides with tendons. A
-third has its joints held, a quarter wrenches that turn with the tips, the others dead loads alone. The judge is the
-oracle's potential energy and that of forces between frames, less the work of torques and tensions: at the posture found
-its gradient vanishes along what may move, its Hessian there has the signs of the verdict, and no lower minimum is
-beside it.
+With `balls` behind these numbers they have ball joints. The robots are those of :mod:`mixed_arms` on fixed bases,
+small, with rods of all orders, and besides with tendons. A third has its joints held, a quarter wrenches that turn
+with the tips, the others dead loads alone. The judge is the oracle's potential energy and that of forces between
+frames, less the work of torques and tensions: at the posture found its gradient vanishes along what may move, its
+Hessian there has the signs of the verdict, and no lower minimum is beside it.
 """
 
 from __future__ import annotations
@@ -24,10 +24,14 @@ from helpers import model_of
 from mixed_arms import LIMITS, Mixed, described, drawn
 from pydantic import ValidationError
 from random_features import with_tendons
+from scipy.spatial.transform import Rotation
 
 from screwgen import Equilibrium, Model, ScrewgenError, equilibrium
+from screwgen.studies.held_joints import joint_names
 
 RESTING = LIMITS | {"max_modes": 1, "exact": 0.25, "no_section_rotation": 0.0, "armature": 0.2, "soft": 0.2}
+BALLS = {"drives": 0.0, "cylinders": 0.0, "linkages": 0.0, "stops": 0.0, "armature": 0.0, "max_axes": 1, "balls": 0.5}
+"""What a file may state beside ball joints, of which there is one in two joints."""
 LINKS = 4
 BALANCED, SAME, FLAT = 1e-7, 1e-9, 1e-7
 """The gradient left over, an energy that differs, an eigenvalue that is zero: all relative to what they are made of."""
@@ -44,18 +48,19 @@ class Case(NamedTuple):
     hold: bool
 
 
-def case_of(seed: int, folder: Path) -> Case:
-    """The case of a seed; what the robot file refuses of tendons is left out."""
+def case_of(seed: int, folder: Path, balls: bool = False) -> Case:
+    """The case of a seed, of robots with ball joints or without; what the robot file refuses of tendons is left out."""
     rng, number = np.random.default_rng([15, seed]), seed * 1000
-    mixed = drawn(number, folder, LINKS, **RESTING)
-    while mixed.floating:
+    limits = RESTING | (BALLS if balls else {})
+    mixed = drawn(number, folder, LINKS, **limits)
+    while mixed.floating or bool(mixed.model.chain.curved) != balls:
         number += 1
-        mixed = drawn(number, folder, LINKS, **RESTING)
+        mixed = drawn(number, folder, LINKS, **limits)
     try:
         model = model_of(with_tendons(rng, mixed.robot, 0.25))
     except ValidationError:
         model = mixed.model
-    start = np.zeros(model.nq) if mixed.loops is None else np.array(mixed.given[0])
+    start = np.array(model.chain.home) if mixed.loops is None else np.array(mixed.given[0])
     w_ext = np.zeros((model.n_links, 6))
     if rng.random() < 0.25:
         outer = mixed.judge.outer
@@ -80,7 +85,7 @@ def joint_stiffness(model: Model) -> list[float]:
     return [
         values.get(f"{link.name}.joint.stiffness[{k}]", 0.0)
         for link in model.robot.links
-        for k in range(len(link.joint.axes))
+        for k in range(link.joint.kind.torques)
     ]
 
 
@@ -97,7 +102,9 @@ class Energy:
         added = outer.acting(q, ca.SX.zeros(oracle.nv), *idle)[1]
         added -= sum(float(t) * q[k] for t, k in zip(case.tau, places, strict=False) if t)
         if case.tau[m:].any():
-            added -= model.tendon_work(q, case.tau[m:], model.parameter_values)[0]
+            robot_q = ca.SX(ca.DM(model.chain.home))
+            robot_q[model.chain.flat_q.tolist()] = q[model.chain.flat_v.tolist()]
+            added -= model.tendon_work(robot_q, case.tau[m:], model.parameter_values)[0]
         energy = oracle.potential + added
         loops = case.mixed.loops
         gap = ca.SX.zeros(0, 1) if loops is None else loops.rows(q, ca.SX.zeros(oracle.nv))[0]
@@ -139,11 +146,21 @@ class Judged(NamedTuple):
     lower: float
 
 
+def turns_of(case: Case, q: np.ndarray) -> np.ndarray:
+    """The coordinates (nv,) of the oracle, whose ball joints are turns about z, y and x."""
+    chain = case.model.chain
+    out = chain.flat(q)
+    for part in chain.curved:
+        w, *u = q[part.q]
+        out[part.v] = Rotation.from_quat([*u, w]).as_euler("ZYX")
+    return out
+
+
 def moving_in(case: Case, e: Equilibrium) -> np.ndarray:
     """The coordinates that may move: not those that drives hold."""
-    names = case.model.q_names
+    names = joint_names(case.model)
     held = [case.model.chain.held_places[names.index(name)] for name in e.held_joints]
-    return np.setdiff1d(np.arange(case.model.nq), held)
+    return np.setdiff1d(np.arange(case.model.nv), held)
 
 
 def judged(case: Case, e: Equilibrium) -> Judged:
@@ -151,15 +168,16 @@ def judged(case: Case, e: Equilibrium) -> Judged:
     faults, energy, moving = [], Energy(case), moving_in(case, e)
     if not len(moving):
         return Judged([], 0.0)
-    left, values, less = energy.curvature(e.q, moving)
+    q = turns_of(case, e.q)
+    left, values, less = energy.curvature(q, moving)
     if left > BALANCED:
         faults.append(f"unbalanced by {left:.1e}")
     lowest = float(values[0]) if len(values) else 1.0
     said = {"stable": lowest > -FLAT, "neutral": lowest > -1e-5, "unstable": lowest < FLAT}[e.stability]
     if not said:
         faults.append(f"{e.stability}, and the Hessian has {lowest:.1e}")
-    here, _, H, _ = energy.at(e.q)
-    size = max(abs(here[0, 0]), np.max(np.abs(np.diag(H)) * e.q**2), 1e-6)
+    here, _, H, _ = energy.at(q)
+    size = max(abs(here[0, 0]), np.max(np.abs(np.diag(H)) * q**2), 1e-6)
     if e.stability == "stable" and less > SAME * size:
         faults.append(f"a lower minimum is beside it, by {less:.1e} of {size:.1e} J")
     return Judged(faults, less / size if e.stability == "stable" else 0.0)
@@ -170,19 +188,20 @@ def bias_left(case: Case, e: Equilibrium) -> float:
     oracle, moving = case.mixed.oracle, moving_in(case, e)
     rest = np.zeros(oracle.nv)
     energy = Energy(case)
-    _, g0, _, J = energy.at(e.q)
-    force = oracle.bias(e.q, rest, case.w_ext[case.mixed.judge.outer.links]) + energy.added(e.q).full()[:, 0]
+    q = turns_of(case, e.q)
+    _, g0, _, J = energy.at(q)
+    force = oracle.bias(q, rest, case.w_ext[case.mixed.judge.outer.links]) + energy.added(q).full()[:, 0]
     forces = scipy.linalg.lstsq(J[:, moving].T, force[moving], cond=1e-9)[0] if len(J) else np.zeros(0)
     left = force[moving] - J[:, moving].T @ forces
-    made = (oracle.K @ e.q, g0, case.w_ext)
+    made = (oracle.K @ q, g0, case.w_ext)
     return float(np.max(np.abs(left), initial=0.0) / max(np.max(np.abs(x)) for x in made))
 
 
-def outcome(seed: int) -> tuple[str, str, float]:
+def outcome(seed: int, balls: bool = False) -> tuple[str, str, float]:
     """What came of a seed: found, refused or FAILS; in words; and by how much a minimum beside it is lower."""
     with TemporaryDirectory() as folder, warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        case = case_of(seed, Path(folder))
+        case = case_of(seed, Path(folder), balls)
         tensions = case.model.n_tau - case.model.n_joints
         kind = f"{described(case.mixed)} tendons {tensions}{' held' * case.hold}"
         tau = case.tau[case.model.n_joints :] if case.hold else case.tau
@@ -198,12 +217,12 @@ def outcome(seed: int) -> tuple[str, str, float]:
 
 
 def main() -> int:
-    first, last = int(sys.argv[1]), int(sys.argv[2])
+    first, last, balls = int(sys.argv[1]), int(sys.argv[2]), "balls" in sys.argv
     counts, worst = Counter(), 0.0
     for seed in range(first, last):
         start = time.time()
         try:
-            said, text, lower = outcome(seed)
+            said, text, lower = outcome(seed, balls)
         except Exception as error:  # the sweep goes on; what was raised is a failure
             said, text, lower = "RAISES", f"{type(error).__name__}: {error}", 0.0
         counts[said], worst = counts[said] + 1, max(worst, lower)

@@ -6,7 +6,7 @@ from floating_robots import SATELLITE, TAU, start
 from helpers import arm, link, model_of
 from scipy.spatial.transform import Rotation
 
-from screwgen import natural_frequencies
+from screwgen import UsageError, natural_frequencies
 from screwgen.studies.convergence import convergence, enriched
 from screwgen.studies.modes import mode_shapes
 
@@ -67,3 +67,29 @@ def test_names_units_and_the_point_of_a_floating_linear_model(satellite):
     assert np.array_equal(linear.y, [*q[7:11], *v[:6]])
     home = satellite.linearise([0.1, 0.2, 0.3, 0.4], outputs=["base_pose", "joint_angles"])  # the joints alone
     assert home.y.tolist() == [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.4]
+
+
+def two_bodies(first, second: object, mass=5.0, other=2.0, stiffness=80.0) -> dict:
+    """Two bodies of which one slides along the other, with a spring between them."""
+    bodies = [{"at": "base", "mass": m, "inertia": [0.1, 0.1, 0.1, 0.0, 0.0, 0.0]} for m in (mass, other)]
+    links = [
+        {"name": "hull", "joint": {"axes": []}, "bodies": bodies[:1]},
+        {"name": "bob", "parent": "hull", "joint": {"axes": [{"slide": "x"}]}, "bodies": bodies[1:]},
+    ]
+    spring = {"name": "strut", "between": [first, second], "line": {"stiffness": stiffness, "rest": 0.3}}
+    return {"name": "pair", "base": "floating", "gravity": [0.0, 0.0, 0.0], "links": links, "forces": [spring]}
+
+
+def test_two_bodies_on_a_spring_swing_about_their_centre_of_mass():
+    """With the stiffness k and the reduced mass m1 m2 / (m1 + m2); the other six motions are rigid."""
+    model = model_of(two_bodies("hull.tip", "bob.tip"))
+    q = np.append(model.chain.home[:7], 0.3)
+    found = mode_shapes(model, q, "free")
+    assert found.rigid == 6 and not found.growth.any()
+    assert np.allclose(2 * np.pi * found.frequencies, np.sqrt(80.0 * (1 / 5.0 + 1 / 2.0)), rtol=1e-9)
+
+
+def test_a_spring_to_the_world_pulls_a_base_that_floats():
+    model = model_of(two_bodies({"world": [1.0, 0.2, 0.0]}, "bob.tip"))
+    with pytest.raises(UsageError, match="'pair' has a floating base, which forces between it and the world pull"):
+        mode_shapes(model, np.append(model.chain.home[:7], 0.3), "free")

@@ -96,6 +96,44 @@ def test_compiled_derivatives_are_those_of_numpy(name):
         assert relative(a, b) < 1e-8
 
 
+@pytest.mark.parametrize("name", ["bennett", "locomotive", "sarrus"])
+def test_derivatives_of_wrenches_follow_how_rows_share_forces(name):
+    """By differences along every coordinate, which opens loops too, and along motions, where slopes are far smaller."""
+    model = linkage(name)
+    (q, v, tau), c = state(model), quick(model, derivatives=True)
+    wrench, *found = c.linearise_wrenches(q, v, tau)
+    assert relative(wrench.ravel(), c.forward_dynamics(q, v, tau)[1].ravel()) < 1e-10
+    for by, (exact, h) in enumerate(zip(found, (1e-5, 1e-3, 1.0), strict=True)):
+        exact = exact.reshape(wrench.size, -1)
+        ways = [np.eye(exact.shape[1]), *([motions(model, q)] if by == 0 else [])]
+        for way in ways:
+
+            def at(t, way=way, by=by):
+                x = [q, v, tau]
+                return np.ravel(c.forward_dynamics(*(y + t if k == by else y for k, y in enumerate(x)))[1])
+
+            ends = [[at(s * h * e) for e in way.T] for s in (-2, -1, 1, 2)]
+            a, b, d, e = (np.array(end).T for end in ends)
+            assert relative(exact @ way, (a - 8 * b + 8 * d - e) / (12 * h)) < 1e-5, "qvt"[by]
+
+
+@pytest.mark.parametrize(("name", "tolerance"), [("watt", 1e-12), ("sarrus", 1e-5)])
+def test_outputs_of_a_linear_model_follow_the_derivatives_of_wrenches(name, tolerance):
+    """At rest, where dependent coordinates follow by the motions alone; those in C share nothing with the linear model.
+
+    Where rows share forces, rounding in the motions meets slopes a million times as large."""
+    model = linkage(name)
+    q, _, tau = state(model)
+    linear = model.linearise(q, np.zeros(model.nv), tau, outputs=("wrenches",))
+    _, by_q, by_v, by_tau = quick(model, derivatives=True).linearise_wrenches(q, np.zeros(model.nv), tau)
+    own = [model.v_names.index(name) for name in linear.state_names[len(linear.A) // 2 :]]
+    N = motions(model, q)
+    N = N @ np.linalg.inv(N[own])
+    expected = np.hstack([by_q.reshape(-1, model.nv) @ N, by_v.reshape(-1, model.nv) @ N])
+    assert relative(linear.C, expected) < tolerance
+    assert relative(linear.D, by_tau.reshape(len(expected), -1)) < tolerance
+
+
 @pytest.mark.parametrize("name", OVERCONSTRAINED)
 def test_rest_is_the_same_in_statics_and_in_dynamics(name):
     """Torques that hold a posture leave no acceleration, and rows share their forces alike."""

@@ -45,12 +45,12 @@ class CompliantFunctions:
     forward: Callable[..., tuple[list, list]]
     under_inputs: Callable[[Sequence], Any]
     braked: Callable[[Sequence], Any]
-    _loop_state: Callable[..., loops.LoopState]
+    loop_state: Callable[..., loops.LoopState]
     _answers: Callable[..., tuple[Array, list]]
 
     def row_terms(self, q: Sequence, v: Sequence) -> list[Value]:
         """The gap of every row, then its rate."""
-        rows = self._loop_state(q, v, [one.closing for one in self.chain.compliant]).rows
+        rows = self.loop_state(q, v, [one.closing for one in self.chain.compliant]).rows
         return [x.gap for x in rows] + [x.rate for x in rows]
 
     def settled(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence, h: Value) -> list[Value]:
@@ -74,7 +74,7 @@ class CompliantFunctions:
         ``terms``: :meth:`row_terms` at the start, ``h`` s before; ``ahead``: 1 at a stage ahead of it, 0 at the start.
         """
         closing, soft = self.chain.closing.rows, self.chain.compliant
-        state = self._loop_state(q, v, [*closing, *(one.closing for one in soft)])
+        state = self.loop_state(q, v, [*closing, *(one.closing for one in soft)])
         given = loops.Loads(tau, self.under_inputs(tau).with_forces(q, v, w_ext))
         links, places = self.forward(q, v, *given)
         moved, drifts = state.accelerations(links, places), state.drifts(places)[len(closing) :]

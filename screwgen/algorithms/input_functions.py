@@ -181,7 +181,7 @@ class InputFunctions:
         out: Rows = []
         for row in self.chain.other_inputs:
             if row is FORCE_INPUTS:
-                out += self._felt(q, self.under_inputs(tau).wrenches_per_input(q, v))
+                out += self.felt(q, self.under_inputs(tau).wrenches_per_input(q, v))
                 continue
             for unit in self._units(row):
                 wrench: list[Value] = [0.0] * (6 * n)
@@ -191,9 +191,10 @@ class InputFunctions:
 
     def wrenches_of_states(self, q: Sequence, v: Sequence, tau: Sequence) -> Rows:
         """The joint wrenches (6 n,) that a unit of each internal state of a force adds."""
-        return self._felt(q, self.under_inputs(tau).wrenches_per_state(q, v))
+        return self.felt(q, self.under_inputs(tau).wrenches_per_state(q, v))
 
-    def _felt(self, q: Sequence, units: Iterator[list]) -> Rows:
+    def felt(self, q: Sequence, units: Iterator[list]) -> Rows:
+        """The joint wrenches (6 n,) that each of some wrenches on all tips (6 n,) adds while nothing moves."""
         borne = self._unborne
         return [[0.0] * borne + wrench[borne:] for _, wrench in self._needed(q, units)]
 

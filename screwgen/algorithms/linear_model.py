@@ -66,7 +66,7 @@ def closing(chain: Chain) -> Program:
     ``gap`` (rows,); ``J`` (rows, nv), its derivative along v; ``J_v`` (rows, nv), that of ``J v``; ``bend`` (nv, nv),
     that of ``Jᵀ forces``; ``wrench`` (6 n,): what forces of the rows exert on the tips, in the tip frames.
     """
-    units = [[float(i == k) for i in range(chain.nv)] for k in range(chain.nv)]
+    units = _units(chain)
 
     def body(f: Functions, x: Mapping[str, Sequence]) -> dict[str, Sequence[Value]]:
         gap, loads = f.loops_at(x["q"], x["forces"])
@@ -109,23 +109,31 @@ def braked_balance(chain: Chain) -> Program:
 def statics(chain: Chain) -> Program:
     """Rest at `q`, of ``(q, w_ext, p)``, matrices column by column. Of a robot with loops, of its open tree.
 
-    ``potential``, J; ``force`` (nq,): what must act on the coordinates to keep the robot there, springs included;
-    ``stiffness`` (nq, nq): its derivative with q; ``weight`` (nq, 3): that with gravity; ``wrench`` (6 n,): the joint
-    wrenches; ``tip`` (3,): the last tip's position.
+    ``potential``, J; ``force`` (nv,): what must act along the rates to keep the robot there, springs included;
+    ``stiffness`` (nv, nv): its derivative with a change of the posture along the rates, of a ball joint a turn in its
+    own axes; ``weight`` (nv, 3): that with gravity; ``wrench`` (6 n,): the joint wrenches; ``tip`` (3,): the last tip's
+    position.
     """
+
+    units = _units(chain)
 
     def body(f: Functions, x: Mapping[str, Sequence]) -> dict[str, Sequence[Value]]:
         force, wrench = f.statics(x["q"], x["w_ext"])
         return {
             "potential": [f.energy(x["q"], [0.0] * chain.nv)[1]],
             "force": force,
-            "stiffness": _flat(columns(force, x["q"])),
+            "stiffness": _flat(tangents(force, _moved(x["q"], f.coordinate_rates(x["q"], unit))) for unit in units),
             "weight": _flat(columns(force, f.gravity)),
             "wrench": wrench,
             "tip": f.poses(x["q"])[1][chain.last][1],
         }
 
     return fuse(chain, "statics", inputs(chain, "q w_ext"), body, algorithms=(INVERSE, ENERGY, PLACES, MOTION))
+
+
+def _units(chain: Chain) -> list[list[float]]:
+    """A unit of each rate."""
+    return [[float(i == k) for i in range(chain.nv)] for k in range(chain.nv)]
 
 
 def _flat(columns: Iterable[Vector]) -> list[Value]:

@@ -12,16 +12,18 @@ from .brakes import ROWS
 from .functions import Functions
 from .fused import fuse, inputs
 from .linearise import closed_slopes, slopes
+from .loops import Loads
 
 
 def linearisation(chain: Chain, constants: str = "constants", own: bool = True) -> Program:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, M, f_q, f_v)`` in one program; ``own``: see :func:`slopes`.
 
     ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nv, nv), row by row.  Forward dynamics and
-    its guards are included, so common operations are computed once.  Where loops close the tree: also ``J`` and the
-    derivatives ``J_q`` and ``J_v`` of ``J vdot + drift``, (rows, nv) each. With other inputs than torques: also
-    ``exerted``, the generalised forces per unit of each, (inputs, nv). With internal states of forces between frames:
-    also ``f_z`` (states, nv). With brakes: also the ``ROWS`` that they act on.
+    its guards are included, so common operations are computed once.  Where loops close the tree: also the forces
+    ``row`` (rows,) of its rows, ``J`` and the derivatives ``J_q`` and ``J_v`` of ``J vdot + drift``, (rows, nv) each.
+    Where rows share forces: also the accelerations of gaps ``wanted`` of these, (rows,).
+    With other inputs than torques: also ``exerted``, the generalised forces per unit of each, (inputs, nv). With
+    internal states of forces between frames: also ``f_z`` (states, nv). With brakes: the ``ROWS`` that they act on.
     """
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
@@ -30,7 +32,11 @@ def linearisation(chain: Chain, constants: str = "constants", own: bool = True) 
         rows: dict[str, list[Value]] = {}
         if chain.closing.rows:
             vdot, found, closing = closed_slopes(f, *given, own)
-            rows = {"J": list(closing.J.flat), "J_q": list(closing.by_q.flat), "J_v": list(closing.by_v.flat)}
+            rows = {"row": list(closing.forces), "J": list(closing.J.flat)}
+            rows |= {"J_q": list(closing.by_q.flat), "J_v": list(closing.by_v.flat)}
+            if chain.closing.overconstrained:
+                loads = Loads(x["tau"], f.under_inputs(x["tau"]).with_forces(x["q"], x["v"], x["w_ext"]))
+                rows["wanted"] = f.wanted(x["q"], x["v"], loads)[1]
         else:
             vdot, _ = f.forward_dynamics(*given)
             found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], own)

@@ -7,7 +7,8 @@ from contextlib import AbstractContextManager, nullcontext
 from typing import Self
 
 from ..errors import SingularError
-from ..ir.program import Vector
+from ..ir.derivative import tangents
+from ..ir.program import Node, Vector
 from ..joints.constraints import Ratio
 from ..topology.chain import Chain
 from ..topology.loops import ClosingRow
@@ -37,6 +38,7 @@ class LoopFunctions:
     with_forces: Callable[..., Sequence]
     under_inputs: Callable[[Sequence], Self]
     braked: Callable[[Sequence], Self]
+    coordinate_rates: Callable[[Sequence, Sequence], list]
     _moving_tips: Callable[..., tuple[list, list[loops.Tip]]]
 
     def loop_wrenches(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
@@ -51,12 +53,33 @@ class LoopFunctions:
 
     def row_forces(self, q: Sequence, v: Sequence, given: loops.Loads) -> tuple[loops.LoopState, list]:
         """The same where what acts on the tips is known."""
-        state = self._loop_state(q, v)
-        unconstrained = state.accelerations(*self.forward(q, v, *given))
+        state, wanted = self.wanted(q, v, given)
         inertia = self.given[0] if self.given else None
-        with self.section("loops: accelerations of the gaps that the rows' forces must give"):
-            wanted = [-(c.power(unconstrained) + c.drift) for c in state.rows]
         return state, self.braked(given.tau)._unit_answers(q, state, inertia, wanted)[0][0]
+
+    def wanted(self, q: Sequence, v: Sequence, given: loops.Loads) -> tuple[loops.LoopState, list]:
+        """The loops in a state, and the accelerations of their gaps that the rows' forces must give."""
+        state = self.loop_state(q, v)
+        unconstrained = state.accelerations(*self.forward(q, v, *given))
+        with self.section("loops: accelerations of the gaps that the rows' forces must give"):
+            return state, [-(c.power(unconstrained) + c.drift) for c in state.rows]
+
+    def share_slopes(self, q: Sequence, v: Sequence, tau: Sequence, wanted: Sequence, inertia: Sequence) -> mx.Array:
+        """What forces of rows that share them change with q, (rows, nv), in a program that is being recorded.
+
+        The accelerations ``wanted`` of the gaps fix these forces as far as they move anything; that part is left out.
+        How rows share the rest follows from ``J M⁻¹ Jᵀ``, which turns with the posture. ``inertia``: that of the given
+        coordinates.
+        """
+        f, nv = self.braked(tau), self.chain.nv
+        entries = mx.pack(f._answers(q, self.loop_state(q, v), inertia)[0])
+        program, given = loops.share_slopes(len(wanted)), {"A": entries, "b": list(wanted)}
+        found = []
+        for k in range(nv):
+            rates = f.coordinate_rates(q, [float(i == k) for i in range(nv)])
+            along = tangents(entries, {a: b for a, b in zip(q, rates, strict=True) if isinstance(a, Node)})
+            found.append(self.apply(self.chain.closing.rows[-1].second, 0, program, given | {"A_along": along}))
+        return mx.array([one["x_along"] for one in found]).T
 
     def with_loops(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> loops.Loads:
         """Torques and wrenches on the tips, those of the loops and of forces between frames included."""
@@ -75,7 +98,7 @@ class LoopFunctions:
 
     def shared_loads(self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence) -> Shared:
         """Inverse dynamics of a motion that keeps the loops closed: see :mod:`.loop_loads`."""
-        chain, (force, _), state = self.chain, self.loads(q, v, vdot, w_ext), self._loop_state(q, v)
+        chain, (force, _), state = self.chain, self.loads(q, v, vdot, w_ext), self.loop_state(q, v)
         still, rest = self.alone(), [0.0] * chain.nv
         still.given, still.section = (self._inertia(), [0.0] * chain.n_given), nullcontext
         exerted = []
@@ -108,7 +131,7 @@ class LoopFunctions:
 
     def correct(self, q: Sequence, v: Sequence) -> tuple[list, list]:
         """Newton's corrections, of least kinetic energy, that close the gaps and stop their rates."""
-        state = self._loop_state(q, v)
+        state = self.loop_state(q, v)
         wanted = [[-c.gap for c in state.rows], [-c.rate for c in state.rows]]
         forces, answers = self._unit_answers(q, state, None, *wanted)
         rates, internal = v[: self.chain.nv], v[self.chain.nv :]
@@ -117,12 +140,12 @@ class LoopFunctions:
 
     def gaps(self, q: Sequence, v: Sequence) -> tuple[list, list]:
         """The gap of every row of the loops, m or cosines, and its rate."""
-        found = self._loop_state(q, v).rows
+        found = self.loop_state(q, v).rows
         return [c.gap for c in found], [c.rate for c in found]
 
     def offsets(self, q: Sequence, v: Sequence) -> list[loops.Offsets]:
         """How far each loop is from closed, whichever of its rows bear forces, and the rates of it."""
-        state = self._loop_state(q, v)
+        state = self.loop_state(q, v)
         return [loops.offsets(junction, state.tips, state.axes) for junction in self.chain.closing.junctions]
 
     def openings(self, q: Sequence) -> list:
@@ -132,12 +155,12 @@ class LoopFunctions:
 
     def idle_gaps(self) -> list:
         """The gaps of the rows that no motion changes, which depend on parameters alone: those at home."""
-        state = self._loop_state(self.chain.home, [0.0] * self.chain.nv)
+        state = self.loop_state(self.chain.home, [0.0] * self.chain.nv)
         return [loops.row_at(row, state.tips, state.axes).gap for row in self.chain.closing.idle]
 
     def loops_at(self, q: Sequence, forces: Sequence) -> tuple[list, loops.Loads]:
         """The gap of every row, and what forces of the rows exert."""
-        state = self._loop_state(q, [0.0] * self.chain.nv)
+        state = self.loop_state(q, [0.0] * self.chain.nv)
         return [c.gap for c in state.rows], state.loads(forces)
 
     def _unit_answers(
@@ -181,7 +204,7 @@ class LoopFunctions:
         """The inertia of the coordinates that integrators give theirs."""
         return columns(self.chain, self.constants)["M_eta"]
 
-    def _loop_state(self, q: Sequence, v: Sequence, rows: Sequence[ClosingRow] | None = None) -> loops.LoopState:
+    def loop_state(self, q: Sequence, v: Sequence, rows: Sequence[ClosingRow] | None = None) -> loops.LoopState:
         """The loops in a state; ``rows``: other rows than those that close the tree."""
         links, tips = self._moving_tips(q, v)
         axes = loops.Axes(self.chain.of_joints(q), self.chain.of_joints(v, rates=True))

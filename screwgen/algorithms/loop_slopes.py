@@ -7,7 +7,7 @@ These functions are differentiated by the tracer, and the chain rule goes throug
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -57,8 +57,10 @@ class TipChange:
 
 @dataclass
 class RowChange:
-    """The rows of the loops, ``J vdot + drift = 0``: ``J`` and their derivatives at given vdot, (rows, nv) each."""
+    """The rows of the loops, ``J vdot + drift = 0``: their ``forces``, ``J`` and their derivatives at given vdot,
+    (rows, nv) each."""
 
+    forces: Sequence
     J: Array
     by_q: Array
     by_v: Array
@@ -89,26 +91,54 @@ def loop_changes(
             if own[0][1].row.relation is not None:
                 _bend_coupling(chain, state, own[0][1], acc.axes, forces[own[0][0]], rows, bend, apply)
             continue
-        first, second = own[0][1].first, own[0][1].second
-        a, b = state.tips[first], state.tips[second]
-        twists = [mx.rotate_wrench(tip.R.T, tip.twist) for tip in (a, b)]
-        given = {"R": list(mx.multiply(a.R.T, b.R).flat), "d": list(mx.multiply(a.R.T, b.r - a.r))}
-        given |= {"V_A": list(twists[0]), "V_B": list(twists[1]), "forces": [forces[k] for k, _ in own]}
-        given |= {
-            f"acc_{x}": list(mx.rotate_wrench(t.R.T, acc.tips[i])) for x, t, i in (("A", a, first), ("B", b, second))
-        }
-        program = slopes_of_rows(tuple(replace(c, loop=0, first=0, second=1, name="") for _, c in own))
-        found = {k: mx.array(x, (-1, 12)) for k, x in apply(second, 0, program, given).items()}
-        moved = at[first], at[second]
-        J = np.vstack([end.J for end in moved])
-        V_q = np.vstack([end.twist_by_q(chain, V[3:]) for end, V in zip(moved, twists, strict=True)])
+        found, J, V_q, moved = _of_ends(chain, state, own, acc.tips, forces, at, apply)
         acc_q, acc_v = (np.vstack([getattr(end, x)[3:] for end in moved]) for x in ("by_q", "by_v"))
         units, by_pose, by_twist = found["units"], found["by_pose"], found["by_twist"]
         rows[0].append(mx.multiply(units, J))
         rows[1].append(mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q) + mx.multiply(units, acc_q))
         rows[2].append(mx.multiply(by_twist, J) + mx.multiply(units, acc_v))
         bend = bend + mx.chain(J.T, found["bend"], J)
-    return RowChange(*(np.vstack([mx.zeros(0, nv), *x]) for x in rows)), bend
+    return RowChange(forces, *(np.vstack([mx.zeros(0, nv), *x]) for x in rows)), bend
+
+
+def wrench_changes(
+    chain: Chain, state: LoopState, forces: Sequence, at: Mapping[int, TipChange], apply: Apply
+) -> Iterator[tuple[int, Array]]:
+    """The derivatives (6, nv) with q of the wrenches on tips, in their frames, that given ``forces`` of the rows exert.
+
+    A tip may come several times. ``at``: the changes of the tips.
+    """
+    still = [mx.zeros(6)] * chain.n
+    for loop in dict.fromkeys(c.loop for c in chain.closing.rows if not isinstance(c.row, Ratio)):
+        own = [(k, c) for k, c in enumerate(chain.closing.rows) if c.loop == loop]
+        found, J, *_ = _of_ends(chain, state, own, still, forces, at, apply)
+        first, second = np.split(mx.multiply(found["bend"], J), 2)
+        yield own[0][1].first, first
+        yield own[0][1].second, second
+
+
+def _of_ends(
+    chain: Chain,
+    state: LoopState,
+    own: Sequence[tuple[int, ClosingRow]],
+    acc: Sequence[Array] | Mapping[int, Array],
+    forces: Sequence,
+    at: Mapping[int, TipChange],
+    apply: Apply,
+) -> tuple[dict[str, Array], Array, Array, tuple[TipChange, TipChange]]:
+    """What :func:`slopes_of_rows` finds of the rows ``own`` of one loop, with their numbers; ``J`` (12, nv) of its two
+    tips, the derivative of their twists with q, and their changes."""
+    first, second = own[0][1].first, own[0][1].second
+    a, b = state.tips[first], state.tips[second]
+    twists = [mx.rotate_wrench(tip.R.T, tip.twist) for tip in (a, b)]
+    given = {"R": list(mx.multiply(a.R.T, b.R).flat), "d": list(mx.multiply(a.R.T, b.r - a.r))}
+    given |= {"V_A": list(twists[0]), "V_B": list(twists[1]), "forces": [forces[k] for k, _ in own]}
+    given |= {f"acc_{x}": list(mx.rotate_wrench(t.R.T, acc[i])) for x, t, i in (("A", a, first), ("B", b, second))}
+    program = slopes_of_rows(tuple(replace(c, loop=0, first=0, second=1, name="") for _, c in own))
+    found = {k: mx.array(x, (-1, 12)) for k, x in apply(second, 0, program, given).items()}
+    moved = at[first], at[second]
+    V_q = np.vstack([end.twist_by_q(chain, V[3:]) for end, V in zip(moved, twists, strict=True)])
+    return found, np.vstack([end.J for end in moved]), V_q, moved
 
 
 def _add_coupling(chain: Chain, coupling: ClosingRow, rows: list[list[Array]]) -> None:

@@ -22,6 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..ir.derivative import tangents
 from ..ir.program import Array, Program, Tracer, Value, Vector
 from ..joints.constraints import Alignment, Angle, Distance, Ratio
 from ..topology.chain import Chain
@@ -277,9 +278,26 @@ def sharing_solver(count: int) -> Program:
     A compliance makes A definite; what it leaves of b is solved for again. What the rows demand that no motion of the
     robot can give, such as the drift of an integrator adds, is hardly answered; a pseudoinverse would multiply it.
     """
-    tracer = Tracer()
-    A = mx.unpack(tracer.input("A", count * (count + 1) // 2), count)
-    b = mx.array(tracer.input("b", count), (count,))
+    tracer, size = Tracer(), count * (count + 1) // 2
+    x = _shared(mx.unpack(tracer.input("A", size), count), mx.array(tracer.input("b", count), (count,)), tracer)
+    return tracer.program("shared_loops", {"A": size, "b": count}, {"x": list(x)})
+
+
+@cache
+def share_slopes(count: int) -> Program:
+    """``(A, b, A_along) -> (x_along)``: how that solution changes with A, less what ``A dx = -dA x`` answers to it."""
+    tracer, size = Tracer(), count * (count + 1) // 2
+    entries, b = tracer.input("A", size), mx.array(tracer.input("b", count), (count,))
+    along, A = tracer.input("A_along", size), mx.unpack(entries, count)
+    x = _shared(A, b, tracer)
+    moved = mx.array(tangents(list(x), dict(zip(entries, along, strict=True))))
+    found = moved + _shared(A, mx.multiply(mx.unpack(along, count), x), tracer)
+    return tracer.program("share_slopes", {"A": size, "b": count, "A_along": size}, {"x_along": list(found)})
+
+
+def _shared(A: Array, b: Array, tracer: Tracer) -> Array:
+    """The forces x of ``A x = b`` of rows that share them."""
+    count = len(b)
     whole = sum((A[k, k] for k in range(1, count)), A[0, 0])
     tracer.guard(whole)
     factor = mx.factorise(A + mx.diagonal([COMPLIANCE * (A[k, k] + LEAST * whole) for k in range(count)]))
@@ -287,7 +305,7 @@ def sharing_solver(count: int) -> Program:
     for k in range(SHARES):
         x = x + mx.solve(factor, rest)
         rest = b - mx.multiply(A, x) if k < SHARES - 1 else rest
-    return tracer.program("shared_loops", {"A": count * (count + 1) // 2, "b": count}, {"x": list(x)})
+    return x
 
 
 # ------------------------------------------------------------------------------------------ corrections

@@ -21,16 +21,24 @@ from .force_functions import acting_tips
 from .functions import Functions
 from .fused import fuse, inputs
 from .linearise import LinkSection, accelerations, arrays, carrying, inward, moving_slopes, places
+from .loop_slopes import tips as loop_tips
+from .loop_slopes import wrench_changes
 
 KINDS = "q", "v", "vdot"
 
 
 def wrench_slopes(
-    f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence, tau: Sequence
+    f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence, tau: Sequence, forces: Sequence = ()
 ) -> dict[str, Array]:
-    """``wrench`` (6 n,) and its partial derivatives ``q``, ``v``, ``vdot`` (6 n, nv); zero for a base that floats."""
+    """``wrench`` (6 n,) and its partial derivatives ``q``, ``v``, ``vdot`` (6 n, nv); zero for a base that floats.
+
+    Where loops close the tree: at held ``forces`` of their rows, and with these, ``row`` (6 n, rows).
+    """
     chain, f = f.chain, f.under_inputs(tau)
-    acted = f.with_forces(q, v, w_ext)
+    acted, shut = f.with_forces(q, v, w_ext), f.loop_state(q, v) if chain.closing.rows else None
+    if shut is not None:
+        with f.section("loops: their wrenches on the tips"):
+            acted = [a + b for a, b in zip(acted, shut.wrenches(forces), strict=True)]
     stores = f.sensitivities(q, v, vdot, acted, tau)
     links = [arrays(chain, i, store, ("answer", "w_J")) for i, store in enumerate(stores)]
     out = {kind: mx.zeros(6 * chain.n, chain.nv) for kind in KINDS}
@@ -42,10 +50,16 @@ def wrench_slopes(
     handed = lambda i: (rows[i], range(6 * i, 6 * i + 6))  # noqa: E731
     inward(chain, links, handed, (out["q"], out["v"]), named)
     _columns(chain, links, rows, out, named)
-    if f.acts:
-        tips = list(dict.fromkeys(acting_tips(chain)))
-        at = moving_slopes(f, (q, v, vdot, acted, tau), tips, own=False)[1]
-        _take_forces(chain, links, list(f.force_changes(q, v, w_ext, at)), out, named)
+    tips = list(dict.fromkeys((*loop_tips(chain), *acting_tips(chain))))
+    if tips:
+        at, none = moving_slopes(f, (q, v, vdot, acted, tau), tips, own=False)[1], mx.zeros(6, chain.nv)
+        changes = list(f.force_changes(q, v, w_ext, at)) if f.acts else []
+        with f.section("loops: what their wrenches do as the tips move"):
+            bent = wrench_changes(chain, shut, forces, at, f.apply) if shut is not None else ()
+            changes += [(i, by_q, none) for i, by_q in bent]
+        _take_forces(chain, links, changes, out, named)
+    if shut is not None:
+        out["row"] = mx.array(f.felt(q, map(shut.wrenches, shut.units()))).T
     for i, key in enumerate(chain.keys):
         for kind in KINDS if key.floats and not key.joint.given else ():
             out[kind][of(i)] = 0.0
@@ -119,20 +133,29 @@ def _take_forces(
 def wrench_program(chain: Chain, constants: str = "constants") -> Program:
     """``(q, v, vdot, tau, w_ext) -> (wrench, wrench_q, wrench_v, wrench_vdot)``, matrices row by row.
 
-    Where inputs change free fall, or forces between frames, also ``wrench_input`` (inputs, 6 n): what a unit of each
-    but torques adds at held accelerations; with internal states of forces ``wrench_state`` (states, 6 n) alike.
+    Where loops close the tree the forces ``row`` of their rows are given too, and ``wrench_row`` (6 n, rows) is what a
+    unit of each adds at held accelerations. Of rows that share forces the accelerations of gaps ``wanted`` of these and
+    the inertia ``m_eta`` are given besides, and ``row_share`` (rows, nv) is what the forces change with q beyond what
+    the motion needs. Where inputs change free fall, or forces between frames, ``wrench_input`` (inputs, 6 n) is what a
+    unit of each but torques adds alike; with internal states of forces so is ``wrench_state`` (states, 6 n).
     """
-    chain.refuse_loops("derivatives of joint wrenches", "differentiate the CasADi functions")
+    rows, shares = len(chain.closing.rows), chain.closing.overconstrained
+    given = inputs(chain, "q v vdot tau w_ext" + " m_eta" * shares)
+    given |= ({"row": rows} if rows else {}) | ({"wanted": rows} if shares else {})
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
-        found = wrench_slopes(f, x["q"], x["v"], x["vdot"], x["w_ext"], x["tau"])
+        found = wrench_slopes(f, x["q"], x["v"], x["vdot"], x["w_ext"], x["tau"], x.get("row", ()))
         own = f.wrenches_of_inputs(x["q"], x["v"], x["tau"]) if chain.inputs_load_links else []
         more = {"wrench_input": [w for wrench in own for w in wrench]} if chain.inputs_load_links else {}
+        more |= {"wrench_row": list(found["row"].flat)} if rows else {}
+        if shares:
+            slopes = f.share_slopes(x["q"], x["v"], x["tau"], x["wanted"], x["m_eta"])
+            more["row_share"] = list(slopes.flat)
         if chain.n_force_states:
             by_state = f.wrenches_of_states(x["q"], x["v"], x["tau"])
             more |= {"wrench_state": [w for wrench in by_state for w in wrench]}
         return {"wrench": list(found["wrench"])} | {f"wrench_{kind}": list(found[kind].flat) for kind in KINDS} | more
 
-    found = fuse(chain, "wrench_slopes", inputs(chain, "q v vdot tau w_ext"), body, constants)
+    found = fuse(chain, "wrench_slopes", given, body, constants)
     # The accelerations are of a state at which the forward dynamics found its guards to hold.
     return replace(found, guards=[], origins=[])

@@ -256,10 +256,13 @@ FORCES = "torques and forces"
 
 def text(model: Model, e: Equilibrium) -> str:
     """The report."""
-    joints = slice(model.chain.base_q, model.chain.base_q + model.n_joints)
+    from ..studies.held_joints import joint_names
+
+    joints = slice(model.chain.base_q, model.chain.base_q + model.chain.n_redundant)
     coordinates, torques = ("joint coordinates", FORCES) if model.chain.sliding else WORDS
+    coordinates = "joint coordinates" if model.chain.curved else coordinates
     torques = FORCES if "N" in input_units(model.robot) else torques
-    every = set(model.q_names[joints]) == {*e.held_joints, *e.passive, *e.following}
+    every = set(joint_names(model)) == {*e.held_joints, *e.passive, *e.following}
     angles = coordinates + ", held" * (e.held and every)
     torques += " that hold them" if e.held and every else " given" if not e.held else ""
     lines = [f"{model.robot.name} at rest: {stability(e)}; residual {e.residual:.1e} of the loads", ""]
@@ -267,6 +270,7 @@ def text(model: Model, e: Equilibrium) -> str:
     told = dict.fromkeys(e.following, ", follows the loops") | dict.fromkeys(e.passive, ", on its spring")
     if e.held and not every:
         told |= dict.fromkeys(e.held_joints, ", held")
+    told |= {f"{name.removesuffix('[0]')}.q{x}": said for name, said in told.items() for x in "wxyz"}
     units = [unit + told.get(name, "") for name, unit in named]
     lines += table(angles, model.q_names[joints], e.q[joints], units)
     lines += table(torques, effort_names(model.robot), e.effort, effort_units(model.robot))

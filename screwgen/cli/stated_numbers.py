@@ -18,10 +18,10 @@ TURNS = 4.0 * np.pi
 
 
 def joint_coordinates(given: str, model: Model, option: str = "q") -> np.ndarray:
-    """The joint coordinates (n_joints,) in an option; a note names angles that are likely degrees."""
-    what = "joint coordinates" if model.chain.sliding else "joint angles in rad"
-    q = numbers("q", given, model.n_joints, what, option)
-    joints = slice(model.chain.base_q, model.chain.base_q + model.n_joints)
+    """The joint coordinates, quaternions among them, in an option; a note names angles that are likely degrees."""
+    what = "joint coordinates" if model.chain.sliding or model.chain.curved else "joint angles in rad"
+    q = numbers("q", given, model.chain.n_redundant, what, option)
+    joints = slice(model.chain.base_q, model.chain.base_q + model.chain.n_redundant)
     units = coordinate_units(model.robot)[joints]
     for name, unit, x in zip(model.q_names[joints], units, q.tolist(), strict=True):
         if unit == "rad" and abs(x) > TURNS:

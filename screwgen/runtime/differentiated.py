@@ -13,7 +13,6 @@ import numpy as np
 from ..algorithms.parameter_slopes import BY_P, Differentiable
 from ..arguments import Loads, Numbers, choice, seconds
 from ..backends.c.by_p import STEPS, rows
-from ..backends.c.derivatives import without_wrenches
 from ..backends.numpy.numeric import singular
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..integrators.method import Method
@@ -98,8 +97,6 @@ class CompiledDerivatives(Memory):
         """
         self._needs_derivatives()
         c = self.chain
-        if why := without_wrenches(self.chain):
-            raise UsageError(f"there is no C of the derivatives of the wrenches: {why}; use CasADi's")
         shapes = [(c.n, 6, *k) for k in ((), (c.nv,), (c.nvz,), (c.n_tau,))]
         return self._differentiated("linearise_wrenches", shapes, (q, v, tau, w_ext))
 

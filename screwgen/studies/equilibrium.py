@@ -21,10 +21,11 @@ from ..simulation.mobility import stated_joints
 from ..simulation.motion import displacements
 from ..simulation.validity import Validity, validity_at_rest
 from ..spec.brake import BRAKES
+from ..spec.parameters import changes
 from ..spec.robot import Robot
 from .equilibrium_of_floating_bases import floating_equilibrium
-from .held_joints import Asked, Hold, asked, efforts_beside, refuse_followers
-from .linear import checked
+from .held_joints import Asked, Hold, asked, efforts_beside, joint_names, refuse_followers
+from .linear import whole
 from .no_equilibrium import NoEquilibriumError
 from .standing import StandingBase
 from .statics import Balance, Statics, newton_step, search
@@ -89,8 +90,9 @@ class Equilibrium:
         return f"<Equilibrium: {self.stability}{loose}, {joints}; the tip is deflected by {sag:.4g} mm>"
 
     def _repr_html_(self) -> str:
-        """Coordinates with the torques on the joints, and the tip."""
-        torques = [*map(notebook.number, self.effort), *[""] * (len(self.q) - len(self.tau))]
+        """Coordinates, with the torques on joints that have one for each, and the tip."""
+        own = self.effort if not any(name.endswith(".qw") for name in self.q_names) else ()
+        torques = [*map(notebook.number, own), *[""] * (len(self.q) - len(own))]
         rows = [*zip(self.q_names, self.q, torques, strict=True)]
         rows += [(f"tip_position.{axis}", x, "") for axis, x in zip("xyz", self.tip_position, strict=True)]
         force = "torque, N·m; of slides force, N" if any(".slide[" in x for x in self.q_names) else "torque, N·m"
@@ -126,7 +128,6 @@ def equilibrium(
     buckling load is "stable"; a :class:`LimitWarning` where a drive does not have the effort that the posture takes.
     Raises UsageError, and NoEquilibriumError, which names the joint, where nothing balances the torques.
     """
-    model.chain.refuse_quaternion_joints("equilibrium", "simulate it with dampers")
     if model.chain.moving:
         at = StandingBase(model, q, model.chain.parameters.vector(parameters))
         return at.equilibrium(equilibrium, tau, model.chain.tip_wrenches(w_ext, "w_ext:"), hold, free)
@@ -156,8 +157,7 @@ def rest_of(
     m = model.n_joints
     if model.nq > MOST:
         raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")
-    alone = q is not None and np.size(q) == m != model.nq
-    start = model.chain.with_inner(checked(q, "q", m), model.parameter_values) if alone else checked(q, "q", model.nq)
+    start = whole(model.chain, q, values)
     wanted = asked(model, hold, free, stiffness(model, values)[:m] > 0)
     start, stated = closed_start(model, values, start, wanted.at_all, wanted.preferred)
     refuse_followers(model, wanted, stated)
@@ -186,7 +186,7 @@ def _refuse_brakes(model: RobotModel, tau: np.ndarray, held: np.ndarray) -> None
     chain = model.chain
     for k, place in zip(chain.braked, range(model.n_tau)[chain.inputs[BRAKES]] if chain.braked else (), strict=True):
         if tau[place] >= 1 and not held[k]:
-            axis = model.q_names[chain.held_places[k]]
+            axis = joint_names(model)[k]
             raise UsageError(f"tau: {model.tau_names[place]} is closed and holds its axis anywhere; hold {axis} too")
 
 
@@ -220,7 +220,7 @@ def closed_start(
 
 def _statics(model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray) -> Statics:
     """The forces under `tau` (n_tau,) where it acts, with the drives of the axes in `held` (n_joints,) at rest."""
-    load, still = np.zeros(model.nq), np.zeros(model.nq, bool)
+    load, still = np.zeros(model.nv), np.zeros(model.nv, bool)
     torques, others = np.split(tau, [model.n_joints])
     load[model.chain.held_places], still[model.chain.held_places] = torques, held
     kind = StaticsWithLoops if model.chain.closing.rows else Statics
@@ -263,13 +263,15 @@ def rigid(robot: Robot) -> Robot:
 
 def _report(statics: Statics, b: Balance, held: np.ndarray, wanted: Asked, stated: np.ndarray) -> Equilibrium:
     model, m, driven = statics.model, statics.model.n_joints, statics.model.chain.held_places
-    straight = np.append(b.q[:m], np.zeros(model.nq - m))
+    straight = np.append(b.q[: model.chain.n_redundant], np.zeros(model.nq - model.chain.n_redundant))
     with suppress(OpenLoopError):
         straight = closed_start(model, statics.p, straight, True, wanted.preferred)[0]
     own = [displacements(model, b.q[None], i, [1.0])[0, 0] for i in range(len(model.robot.links))]
-    holding = efforts(model.chain, np.where(held, b.force[driven], 0.0), b.q[:m], statics.p, held=True)
+    holding = efforts(
+        model.chain, np.where(held, b.force[driven], 0.0), model.chain.of_joints(b.q), statics.p, held=True
+    )
     stability, eigenvalues, loose = _stability(statics, b)
-    named = lambda which: tuple(name for name, there in zip(model.q_names[:m], which, strict=True) if there)  # noqa: E731
+    named = lambda which: tuple(name for name, there in zip(joint_names(model), which, strict=True) if there)  # noqa: E731
     effort = np.append(np.where(held, holding + 0.0, statics.load[driven]), statics.others)
     return Equilibrium(
         q=b.q,
@@ -298,15 +300,15 @@ def _stability(statics: Statics, b: Balance) -> tuple[str, np.ndarray, tuple[str
     K = statics.scaled(b)[1]
     if not len(K):
         return "stable", np.zeros(0), ()
-    eigenvalues, vectors = linalg.eig(K) if statics.w_ext.any() else linalg.eigh((K + K.T) / 2)
+    eigenvalues, vectors = linalg.eig(K) if statics.turn_along else linalg.eigh((K + K.T) / 2)
     order = np.argsort(eigenvalues.real)
     values, vectors = eigenvalues.real[order], vectors[:, order]
     moved = statics.directions(b) @ vectors
     weak = [statics.moving[np.argmax(np.abs(moved[:, k]))] for k in np.flatnonzero(values <= NEUTRAL)]
-    loose = tuple(statics.model.q_names[k] for k in dict.fromkeys(weak))
+    loose = tuple(list(changes(statics.model.robot))[k] for k in dict.fromkeys(weak))
     if values[0] < -NEUTRAL:
         return "unstable", values, loose
-    if statics.w_ext.any() and _flutters(statics, b):
+    if statics.turn_along and _flutters(statics, b):
         return "flutter", values, loose
     return "neutral" if loose else "stable", values, loose
 

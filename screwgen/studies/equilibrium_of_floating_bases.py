@@ -22,6 +22,11 @@ UNBALANCED = 1e-9
 """The part of the largest load that may be left on the base."""
 
 
+def on_fixed_base(model: RobotModel) -> RobotModel:
+    """The robot on a fixed base; parameters and rows of loops are the same."""
+    return model.once("fixed base", lambda: RobotModel(model.robot.model_copy(update={"base": FIXED})))
+
+
 def floating_equilibrium(
     equilibrium: Callable[..., Equilibrium],
     model: RobotModel,
@@ -40,11 +45,11 @@ def floating_equilibrium(
     if p[:3].any():
         said = f"robot '{model.robot.name}' has a floating base, which nothing holds against gravity"
         raise NoEquilibriumError(f"{said}; set gravity = [0.0, 0.0, 0.0], or fix the base to find its posture")
-    m, given = model.n_joints, None
+    m, given = model.chain.n_redundant, None
     if q is not None:
         given = checked(q, "q", m if np.size(q) == m else model.nq)
     start = whole(model.chain, given, p)
-    fixed = model.once("fixed base", lambda: RobotModel(model.robot.model_copy(update={"base": FIXED})))
+    fixed = on_fixed_base(model)
     w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
     values = dict(zip(model.parameter_names, p, strict=True))
     found = equilibrium(fixed, start[model.chain.base_q :], tau, w_ext, hold, values, free)

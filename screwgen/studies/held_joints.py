@@ -10,6 +10,7 @@ import numpy as np
 from ..arguments import Numbers, choice
 from ..errors import UsageError
 from ..robot_model import RobotModel
+from ..spec.parameters import changes
 from .linear import checked
 
 Hold = bool | str | Sequence[str]
@@ -51,17 +52,22 @@ def asked(model: RobotModel, hold: Hold, free: Sequence[str], sprung: np.ndarray
         named = _named(model, hold, "hold") | given
         return Asked(named, named, True, True)
     at_all, freed = bool(hold) or len(free) > 0, _named(model, free, "free")
-    if stuck := [model.q_names[model.chain.base_q + k] for k in np.flatnonzero(freed & given)]:
+    if stuck := [joint_names(model)[k] for k in np.flatnonzero(freed & given)]:
         raise UsageError(f"free: the motion of {stuck[0]} is given; leave it out")
     joints = (~freed & at_all) | given
     held = joints if hold == "all" else joints & (~sprung | given)
     return Asked(joints, held, False, bool(at_all or given.any()))
 
 
+def joint_names(model: RobotModel) -> list[str]:
+    """The names of the axes of joints (n_joints): of their coordinates, of ball joints `hand.joint[0]` …"""
+    first = model.chain.base_v
+    return list(changes(model.robot))[first : first + model.n_joints]
+
+
 def _named(model: RobotModel, names: Sequence[str], what: str) -> np.ndarray:
     """(n_joints,) of bool: the joints that names of coordinates or of links stand for."""
-    first = model.chain.base_q
-    coordinates = model.q_names[first : first + model.n_joints]
+    coordinates = joint_names(model)
     links = dict.fromkeys(name.rpartition(".")[0] for name in coordinates)
     out = np.zeros(model.n_joints, bool)
     for name in [names] if isinstance(names, str) else names:
@@ -73,7 +79,7 @@ def _named(model: RobotModel, names: Sequence[str], what: str) -> np.ndarray:
 def refuse_followers(model: RobotModel, wanted: Asked, stated: np.ndarray) -> None:
     """Raise UsageError where a joint that was named follows the loops while the others are held."""
     if wanted.by_name and (followers := np.flatnonzero(wanted.following(stated))).size:
-        name = model.q_names[followers[0]]
+        name = joint_names(model)[followers[0]]
         raise UsageError(f"hold: {name} follows the loops while the others are held; leave it out, or one of them")
 
 

@@ -225,7 +225,7 @@ def whole(chain: Chain, q: Numbers | None, p: Numbers) -> np.ndarray:
     """The coordinates (nq,) of a posture: as given, the joints alone, or where everything is zero."""
     given = np.zeros(0)
     if q is not None:
-        given = checked(q, "q", chain.n_joints if np.size(q) == chain.n_joints else chain.nq)
+        given = checked(q, "q", chain.n_redundant if np.size(q) == chain.n_redundant else chain.nq)
     found = chain.complete(given, p)
     if isinstance(found, str):
         raise UsageError(f"q: {found}")

@@ -25,7 +25,6 @@ from .vibrations_with_loops import hanging
 JOINTS = ("locked", "free")
 
 LOADED = "table of modes under loads or at rates", "leave these out"
-BESIDE_FORCES = "table of modes beside forces between frames", "take the eigenvalues of model.linearise"
 
 
 @parameters_keyword
@@ -200,8 +199,8 @@ def loaded_motion(
     model: RobotModel, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray
 ) -> Steady:
     """Small motions about a steady motion, of which those of a robot with loops are about rest; see :func:`steady`."""
-    model.chain.refuse_quaternion_joints("modes under load", "take model.numpy().derivatives")
-    model.chain.refuse_floating_base(*(LOADED if loaded or rates is not None else BESIDE_FORCES))
+    if loaded or rates is not None:
+        model.chain.refuse_floating_base(*LOADED)
     if not model.chain.closing.rows:
         return steady(model, q, rates, loaded, p, moving)
     if rates is not None:
@@ -215,7 +214,8 @@ def loaded_shapes(model: RobotModel, about: Steady, basis: np.ndarray, free: boo
 
     `free`: whether the joints move.
     """
-    rigid = about.rigid if free else None
+    afloat = np.eye(model.chain.base_v) if model.chain.floating else None
+    rigid = about.rigid if free else afloat
     if len(about.J):
         J, springs = about.J @ basis, np.diag(basis.T @ stiffness_matrix(model, about.p) @ basis)
         independent, _, N = mobility(J, by_spring(J, springs))

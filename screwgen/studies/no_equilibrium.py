@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import UsageError
+from ..spec.parameters import changes
 
 if TYPE_CHECKING:
     from .statics import Balance, Statics
@@ -18,25 +19,25 @@ class NoEquilibriumError(UsageError):
 
 def overbent(statics: Statics, b: Balance) -> NoEquilibriumError:
     """The error that names the link which its load bends by its own length."""
-    m = statics.model.chain.eta_q
-    k = m + int(np.argmax(np.abs(b.q / statics.reach)[m:]))
+    chain = statics.model.chain
+    k = chain.eta_v + int(np.argmax(np.abs(chain.flat(b.q) / statics.reach)[chain.eta_v :]))
     return NoEquilibriumError(
-        f"{statics.model.q_names[k]}: the search leaves what a model of small deflections can say, bending the link by "
-        "its own length; stiffen the link, take load off it, or hold the joints elsewhere"
+        f"{list(changes(statics.model.robot))[k]}: the search leaves what a model of small deflections can say, "
+        "bending the link by its own length; stiffen the link, take load off it, or hold the joints elsewhere"
     )
 
 
 def unbalanced(statics: Statics, b: Balance, start: np.ndarray) -> NoEquilibriumError:
     """The error that names the joint which turned and turned, or else has the largest unbalanced share."""
-    away = statics.wandered(b.q - start)
+    away = statics.wandered(b.q, start)
     k = int(away[0]) if away.size else int(np.argmax(b.shares))
-    joint = k < statics.model.chain.eta_q
+    joint = k < statics.model.chain.eta_v
     travel = statics.model.chain.travels.get(k) if k < statics.model.n_joints else None
     kind, unit = ("torque", "N·m") if statics.turning[k] else ("force", "N")
     kind, unit = (travel.EFFORT_NAME, travel.EFFORT_UNIT) if travel else (kind, unit)
     what = f"its {kind} of {statics.load[k]:.6g} {unit}" if joint and statics.load[k] else "its load"
     what += ", with the wrenches on the tips" if statics.w_ext.any() else ""
     return NoEquilibriumError(
-        f"{statics.model.q_names[k]}: no posture found balances {what}; "
+        f"{list(changes(statics.model.robot))[k]}: no posture found balances {what}; "
         "give loads that weight and springs can balance, start elsewhere, or hold the joints"
     )

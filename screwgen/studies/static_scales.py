@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..robot_model import RobotModel
-from ..spec.parameters import coordinate_units
+from ..spec.parameters import changes
 from ..topology.chain import Chain
 from ..topology.tree import BASE
 from .stiffness import stiffness, stiffness_matrix
@@ -26,24 +26,24 @@ class Carried(NamedTuple):
     """What every coordinate of a robot carries."""
 
     mass: np.ndarray
-    """(nq,): of its link and of all behind it, kg."""
+    """(nv,): of its link and of all behind it, kg."""
     lever: np.ndarray
-    """(nq,): how far a change of the coordinate moves this mass, its root mean square: m/rad, or m/m."""
+    """(nv,): how far a change of the coordinate moves this mass, its root mean square: m/rad, or m/m."""
     turn: np.ndarray
-    """(nq,): how much it turns what it carries: 1, or rad per m."""
+    """(nv,): how much it turns what it carries: 1, or rad per m."""
     links: np.ndarray
-    """(nq, n) of bool: the links that it carries."""
+    """(nv, n) of bool: the links that it carries."""
 
 
 def carried(model: RobotModel, p: np.ndarray, reach: np.ndarray) -> Carried:
-    """What coordinates carry where all are zero; `reach` (nq,): the change of each that is a turn of about 1 rad."""
+    """What coordinates carry where all are zero; `reach` (nv,): the change of each that is a turn of about 1 rad."""
     mass, lever = model.once_for("carried", p[3:], lambda: _masses(model, p))
     return Carried(mass, lever, 1 / reach, _behind(model.chain)[_links(model.chain)])
 
 
 def _masses(model: RobotModel, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(nq,): the mass that each coordinate carries, and its lever."""
-    straight, chain = np.zeros(model.nq), model.chain
+    """(nv,): the mass that each coordinate carries, and its lever."""
+    straight, chain = np.array(model.chain.home), model.chain
     falling = np.concatenate([[0.0, 0.0, -1.0], p[3:]])
     weights = np.array(model.statics(straight, np.zeros((6, chain.n)), falling)[4])[3:]
     mass = np.linalg.norm(weights, axis=0)[_links(chain)]
@@ -52,7 +52,7 @@ def _masses(model: RobotModel, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _links(chain: Chain) -> np.ndarray:
-    """(nq,): the link of each coordinate, of a joint the one that it moves."""
+    """(nv,): the link of each coordinate, of a joint the one that it moves."""
     offsets = (chain.tau_offset, chain.theta_offset, chain.eta_offset)
     return np.concatenate([np.repeat(np.arange(chain.n), np.diff(places)) for places in offsets])
 
@@ -67,11 +67,11 @@ def _behind(chain: Chain) -> np.ndarray:
 
 
 def largest_loads(model: RobotModel, p: np.ndarray, w_ext: np.ndarray, others: np.ndarray, of: Carried) -> np.ndarray:
-    """(nq,): what weight, wrenches on tips and tensions do to each coordinate at most, before any of them cancel."""
+    """(nv,): what weight, wrenches on tips and tensions do to each coordinate at most, before any of them cancel."""
     moments, forces = (np.linalg.norm(part, axis=1) for part in np.split(w_ext, 2, axis=1))
     force = of.mass * np.linalg.norm(p[:3]) + of.links @ forces
     out = force * of.lever + (of.links @ moments) * of.turn
-    straight = np.zeros(model.nq)
+    straight = np.array(model.chain.home)
     tensions = others[: model.chain.n_tensions]
     for k in np.flatnonzero(tensions):
         alone = np.where(np.arange(len(tensions)) == k, tensions, 0.0)
@@ -80,8 +80,8 @@ def largest_loads(model: RobotModel, p: np.ndarray, w_ext: np.ndarray, others: n
 
 
 def step_units(model: RobotModel, p: np.ndarray, loads: np.ndarray) -> np.ndarray:
-    """(nq,): D, such that D q has stiffnesses about one: by springs and gears, and of a joint by its largest load."""
-    joint, own = np.arange(model.nq) < model.n_joints, stiffness(model, p)
+    """(nv,): D, such that D q has stiffnesses about one: by springs and gears, and of a joint by its largest load."""
+    joint, own = np.arange(model.nv) < model.n_joints, stiffness(model, p)
     if model.chain.n_added:
         own = np.diag(stiffness_matrix(model, p))
     own = own + np.where(joint, loads, 0.0)
@@ -89,5 +89,5 @@ def step_units(model: RobotModel, p: np.ndarray, loads: np.ndarray) -> np.ndarra
 
 
 def turns(model: RobotModel) -> np.ndarray:
-    """(nq,) of bool: whether a coordinate is an angle."""
-    return np.array([unit == "rad" for unit in coordinate_units(model.robot)], bool)
+    """(nv,) of bool: whether a coordinate is an angle."""
+    return np.array([unit == "rad" for unit in changes(model.robot).values()], bool)

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from ..algorithms.travels import travels
+from ..backends.numpy.dae_step import SERIES
 from ..errors import SingularError
 from ..robot_model import RobotModel
 from ..spec.link_class import EXACT
@@ -33,17 +34,20 @@ NONE = np.zeros(0)
 
 @dataclass(frozen=True, eq=False)
 class Balance:
-    """An arm at rest at `q` (nq,), of whose coordinates those in `moving` may move."""
+    """An arm at rest at `q` (nq,), which may move along the rates of the numbers `moving`.
+
+    Of a ball joint these are turns about the axes of its link.
+    """
 
     q: np.ndarray
     energy: float
     """Potential energy less the work of the torques, J."""
     force: np.ndarray
-    """(nq,): the residual generalised forces, N·m and N: zero in equilibrium."""
+    """(nv,): the residual generalised forces, N·m and N: zero in equilibrium."""
     stiffness: np.ndarray
-    """(nq, nq): the derivative of `force` with q."""
+    """(nv, nv): the derivative of `force` with a change of the posture along the rates."""
     scale: np.ndarray
-    """(nq,): the forces beside which residuals are nothing, see `Statics.scales`."""
+    """(nv,): the forces beside which residuals are nothing, see `Statics.scales`."""
     wrench: np.ndarray
     """(n, 6): joint wrenches."""
     tip: np.ndarray
@@ -52,8 +56,8 @@ class Balance:
 
     @property
     def shares(self) -> np.ndarray:
-        """(nq,): the unbalanced forces over the loads, zero for held coordinates."""
-        out = np.zeros(len(self.q))
+        """(nv,): the unbalanced forces over the loads, zero for held coordinates."""
+        out = np.zeros(len(self.force))
         out[self.moving] = np.abs(self.force / self.scale)[self.moving]
         return out
 
@@ -63,7 +67,7 @@ class Balance:
 
 
 class Statics:
-    """The forces on an arm at rest under torques `load` (nq,), `others` of its inputs, wrenches, weight and springs."""
+    """The forces on an arm at rest under torques `load` (nv,), `others` of its inputs, wrenches, weight and springs."""
 
     straight = True
     """Whether the directions in which it moves stay the same on the way."""
@@ -81,7 +85,8 @@ class Statics:
         self.others = others
         self.springs = stiffness(model, p)
         self.turning = turns(model)
-        self.bending = ~(self.turning | (np.arange(model.nq) < model.chain.eta_q))
+        self.bending = ~(self.turning | (np.arange(model.nv) < model.chain.eta_v))
+        self.follows = np.isin(np.arange(model.nv), model.chain.flat_v, invert=True)
 
     def at(self, q: np.ndarray) -> Balance:
         """The balance at `q`."""
@@ -93,7 +98,7 @@ class Statics:
         return Balance(q, energy.item() - work, force - load, slope - softening, scale, **places)
 
     def driven(self, q: np.ndarray) -> tuple[float, np.ndarray, np.ndarray | float]:
-        """The work of the torques and tensions up to `q`, their generalised forces (nq,), and the derivative of these.
+        """The work of the torques and tensions up to `q`, their generalised forces (nv,), and the derivative of these.
 
         The effort of a transmission does work along its travel, and what it exerts on its joint depends on the posture.
         Behind an elastic gear it acts on the rotor's travel, see :meth:`_from_travels`.
@@ -107,10 +112,10 @@ class Statics:
 
     def _by_drives(self, q: np.ndarray) -> tuple[float, np.ndarray, np.ndarray | float]:
         chain, m = self.model.chain, self.model.n_joints
+        along, load, slope = chain.flat(q), self.load.copy(), np.zeros(len(self.load))
         if not chain.travels:
-            return self.load @ q, self.load, 0.0
-        along, load, slope = q.copy(), self.load.copy(), np.zeros(len(q))
-        along[:m], ratio, slope[:m] = travels(chain, q[:m], self.p)
+            return self.load @ along, self.load, 0.0
+        along[:m], ratio, slope[:m] = travels(chain, chain.of_joints(q), self.p)
         along[list(chain.elastic_travels.values())] += along[list(chain.elastic_travels)]
         load[:m] *= ratio
         return self.load @ along, load, np.diag(self.load * slope)
@@ -121,7 +126,7 @@ class Statics:
         So a drive that is held leaves its joint to move on the gear: `e = s - l(q)` with the travel s of the rotor.
         """
         chain, T = self.model.chain, from_travels(self.model, q, self.p)
-        own, bend = list(chain.elastic_travels), travels(chain, q[: self.model.n_joints], self.p)[2]
+        own, bend = list(chain.elastic_travels), travels(chain, chain.of_joints(q), self.p)[2]
         turned = T.T @ K @ T
         turned[own, own] -= bend[own] * force[list(chain.elastic_travels.values())]
         return T.T @ force, turned
@@ -130,38 +135,41 @@ class Statics:
         return [np.array(x) for x in self.model.statics(q, w_ext.T, self.p)]
 
     def scales(self, q: np.ndarray, weight: np.ndarray, load: np.ndarray, K: np.ndarray) -> np.ndarray:
-        """(nq,): for every coordinate the force beside which an unbalanced one is nothing.
+        """(nv,): for every coordinate the force beside which an unbalanced one is nothing.
 
         That is the force which does as much work on it as the largest load does on any, springs among the loads; or
         the sum of what the springs of its own row exert, where they are stiffer, as stops are.
         """
         gravity = np.linalg.norm(self.p[:3]) * np.linalg.norm(weight, axis=1)
-        loads = self.largest + gravity + np.abs(self.springs * q) + np.abs(load)
+        x = self.model.chain.flat(q)
+        loads = self.largest + gravity + np.abs(self.springs * x) + np.abs(load)
         largest = np.max((loads / self.units)[self.moving], initial=0.0) or 1.0
-        return np.maximum(self.units * largest, np.abs(K) @ np.abs(q))
+        return np.maximum(self.units * largest, np.abs(K) @ np.abs(x))
 
     def bent(self, q: np.ndarray) -> float:
         """The largest modal coordinate over its link's length, of links whose deflections are to be small."""
         small = [key.order != EXACT for key in self.model.chain.keys for _ in range(key.modes)]
-        return float(np.max(np.abs(q / self.reach)[self.model.chain.eta_q :][small], initial=0.0))
+        return float(
+            np.max(np.abs(self.model.chain.flat(q) / self.reach)[self.model.chain.eta_v :][small], initial=0.0)
+        )
 
     @cached_property
     def reach(self) -> np.ndarray:
-        """(nq,): the scale that makes a coordinate an angle: a link's length, or 1; larger for wound springs."""
+        """(nv,): the scale that makes a coordinate an angle: a link's length, or 1; larger for wound springs."""
         links = self.model.robot.links
         deflections = [(reach(link) or 1.0) / size for link in links for size in link.pieces * sizes(link)]
         wound = np.abs(self.load) / np.where(self.springs > 0, self.springs, np.inf)
-        own = np.append(np.ones(self.model.chain.eta_q), deflections)
+        own = np.append(np.ones(self.model.chain.eta_v), deflections)
         return np.where(self.bending, own, np.maximum(1.0, wound / (2 * np.pi)))
 
     @cached_property
     def largest(self) -> np.ndarray:
-        """(nq,): the loads before they cancel, see :func:`.static_scales.largest_loads`."""
+        """(nv,): the loads before they cancel, see :func:`.static_scales.largest_loads`."""
         return largest_loads(self.model, self.p, self.w_ext, self.others, carried(self.model, self.p, self.reach))
 
     @cached_property
     def units(self) -> np.ndarray:
-        """(nq,): D, such that D q has stiffnesses about one."""
+        """(nv,): D, such that D q has stiffnesses about one."""
         return step_units(self.model, self.p, self.largest)
 
     def scaled(self, b: Balance) -> tuple[np.ndarray, np.ndarray]:
@@ -179,9 +187,9 @@ class Statics:
 
     def displaced(self, b: Balance, step: np.ndarray) -> np.ndarray:
         """The posture (nq,) after `step` (d,) from `b`."""
-        there = b.q.copy()
-        there[self.moving] += self.directions(b) @ step / self.units[self.moving]
-        return self.near(there)
+        change = np.zeros(self.model.nv)
+        change[self.moving] = self.directions(b) @ step / self.units[self.moving]
+        return self.near(self.model.chain.integrate(b.q, change, SERIES))
 
     def near(self, q: np.ndarray) -> np.ndarray:
         """The posture next to `q` (nq,) that the robot can take."""
@@ -196,10 +204,10 @@ class Statics:
         return b.wrench
 
     def share(self, part: float, wrenches: float) -> Statics:
-        """The same with a part of gravity and torques, and one of the wrenches."""
+        """The same with a part of gravity and torques, and one of wrenches and of what acts on ball joints."""
         p = np.concatenate([part * self.p[:3], self.p[3:]])
-        loads = part * self.load, wrenches * self.w_ext, self.moving, part * self.others
-        return type(self)(self.model, p, *loads)
+        load = np.where(self.follows, wrenches, part) * self.load
+        return type(self)(self.model, p, load, wrenches * self.w_ext, self.moving, part * self.others)
 
     def bounded(self, b: Balance, step: np.ndarray) -> np.ndarray:
         """`step` made so short that it turns, slides and bends nothing by more than `MOST_TURN`."""
@@ -209,10 +217,15 @@ class Statics:
         """(moving, ...): how far a step (d, ...) turns, slides or bends each coordinate, in units of about one rad."""
         return np.abs(((self.directions(b) @ step).T / (self.units * self.reach)[self.moving]).T)
 
-    def wandered(self, q: np.ndarray) -> np.ndarray:
-        """The joints that turn and turn under a torque, or slide and slide: nothing holds them."""
-        unsprung = np.flatnonzero((self.springs == 0) & (self.load != 0))
-        return unsprung[np.abs(q[unsprung]) > FAR]
+    def wandered(self, q: np.ndarray, start: np.ndarray) -> np.ndarray:
+        """The axes that turn and turn under a torque from `start` on, or slide and slide: nothing holds them."""
+        unsprung, away = np.flatnonzero((self.springs == 0) & (self.load != 0)), self.model.chain.flat(q - start)
+        return unsprung[np.abs(away[unsprung]) > FAR]
+
+    @property
+    def turn_along(self) -> bool:
+        """Whether loads turn with what they act on, wrenches or torques of ball joints; they have no potential."""
+        return bool(self.w_ext.any() or self.load[self.follows].any())
 
 
 # ------------------------------------------------------------------------------ the search
@@ -221,7 +234,7 @@ class Statics:
 def search(statics: Statics, start: np.ndarray) -> Balance:
     """The equilibrium that the search from `start` (nq,) ends in; raises NoEquilibriumError."""
     first = statics.at(start)
-    b = polished(statics, downhill(statics, first) if not statics.w_ext.any() else rooted(statics, first))
+    b = polished(statics, downhill(statics, first) if not statics.turn_along else rooted(statics, first))
     if statics.bent(b.q) > FARTHEST:
         raise overbent(statics, b)
     if b.residual > RESIDUAL:
@@ -236,7 +249,7 @@ def downhill(statics: Statics, b: Balance) -> Balance:
     """
     start = b.q
     for _ in range(ITERATIONS):
-        if b.residual <= RESIDUAL or statics.wandered(b.q - start).size or statics.bent(b.q) > 3 * FARTHEST:
+        if b.residual <= RESIDUAL or statics.wandered(b.q, start).size or statics.bent(b.q) > 3 * FARTHEST:
             break
         force, K = statics.scaled(b)
         curvature, modes = np.linalg.eigh((K + K.T) / 2)

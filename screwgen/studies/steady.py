@@ -14,6 +14,7 @@ import numpy as np
 from ..algorithms.travels import efforts
 from ..arguments import Numbers
 from ..backends.numpy import prescribed
+from ..backends.numpy.dae_step import SERIES
 from ..errors import SingularError, UsageError
 from ..lazily import linalg
 from ..robot_model import RobotModel
@@ -35,6 +36,8 @@ NOTHING = 1e-12
 """Gyroscopic coupling, relative to the largest, that is a rounding error."""
 UNRESISTED = 1e-10
 """Change of the forces by the turn of a joint, relative to the loads on the arm, that is a rounding error."""
+PULLED = 1e-9
+"""A force on a base that floats, relative to the largest, that is a rounding error."""
 GROWTH = 1e-7
 """Real part of an eigenvalue, relative to the largest modulus, that is a rounding error."""
 
@@ -80,13 +83,14 @@ def steady(
 ) -> Steady:
     """Small motions about the steady motion of the joints at `rates` (n_joints,) from `q` (nq,).
 
-    `loaded`: gravity acts. `settle`: the modes of `q` move to where the loads hold them, rotors to where their gears
-    carry the joints. The coordinates `moving` may move. Raises UsageError where there is no such deflection, and where
-    the loads on them change as joints turn.
+    `loaded`: gravity acts. `settle`: the modes of `q` move to where the loads hold them, rotors to where their
+    gears carry the joints. The coordinates `moving` may move. What holds a ball joint is a moment with a potential
+    that is linear in the vector of its turn: one that turned along with the link would have none. Raises UsageError
+    where there is no such deflection, and where the loads on them change as joints turn.
     """
-    model.chain.refuse_quaternion_joints("steady motion", "simulate it")
     chain = model.chain
-    v = chain.with_inner(checked(rates, "rates", model.n_joints), p)
+    v = np.append(np.zeros(chain.base_v), chain.with_inner(checked(rates, "rates", model.n_joints), p))
+    _refuse_turning_balls(chain, v)
     p = np.array(p, float) if loaded else np.r_[np.zeros(3), p[3:]]
     q = deflected(model, q, v, p) if settle else q
     numeric, m = model.numpy(p), chain.eta_v
@@ -95,15 +99,36 @@ def steady(
     if np.linalg.eigvalsh(M[np.ix_(moving, moving)])[0] <= 0:
         raise SingularError(f"the mass matrix is singular in this posture; lock the joints{model.chain.caution}")
     force = numeric.inverse_dynamics(q, v, None, None)
-    tau = chain.with_idle_inputs(efforts(chain, force[chain.held_places], q[: chain.n_joints], p, held=True))
+    refuse_pulled_base(model, force, K)
+    tau = chain.with_idle_inputs(efforts(chain, force[chain.held_places], chain.of_joints(q), p, held=True))
     if chain.travels:
         M, K, C = numeric.slopes(q, v, None, None, tau)
     if v.any():
-        further = q + FURTHER / np.max(np.abs(v)) * v
-        _unchanged(force, numeric.inverse_dynamics(further, v, None, None), np.max(np.abs(K @ q)), moving)
+        further = chain.integrate(q, FURTHER / np.max(np.abs(v)) * v, SERIES)
+        loads = np.max(np.abs(K @ chain.flat(q)))
+        _unchanged(force, numeric.inverse_dynamics(further, v, None, None), loads, moving)
         _unchanged(M, numeric.mass_matrix(further), np.max(np.abs(M)), moving)
-    rigid = unresisted(K[:, unprescribed(chain)], force[chain.held_places], K[:, m:] @ q[m:])
-    return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, tau, p, rigid, np.zeros((0, model.nv)), {})
+    potential = (K + K.T) / 2
+    K = K if v.any() else potential
+    rigid = unresisted(K[:, unprescribed(chain)], force[chain.held_places], K[:, m:] @ q[chain.eta_q :])
+    return Steady(q, v, M, (C - C.T) / 2, potential, tau, p, rigid, np.zeros((0, model.nv)), {})
+
+
+def _refuse_turning_balls(chain: Chain, v: np.ndarray) -> None:
+    """Raise UsageError where a ball joint turns: a small turn in axes that turn along has another rate than its own."""
+    for part in chain.curved:
+        if v[part.v].any():
+            said = f"rates: the {part.joint.name} joint of link '{chain.names[part.link]}' turns, for which there is no"
+            raise UsageError(f"{said} table of modes; leave its rates at zero, or simulate it")
+
+
+def refuse_pulled_base(model: RobotModel, force: np.ndarray, K: np.ndarray) -> None:
+    """Raise UsageError where forces to the world pull a base that floats, or hold it by their stiffness."""
+    first = model.chain.base_v
+    left, size = np.abs(force[:first]).max(initial=0.0), max(np.abs(force).max(initial=0.0), 1.0)
+    if left > PULLED * size or np.abs(K[:, :first]).max(initial=0.0) > PULLED * np.abs(K).max():
+        said = f"robot '{model.robot.name}' has a floating base, which forces between it and the world pull"
+        raise UsageError(f"{said}; there is no table of its modes: take the eigenvalues of model.linearise")
 
 
 def unprescribed(chain: Chain) -> np.ndarray:
@@ -124,18 +149,21 @@ def deflected(model: RobotModel, q: np.ndarray, v: np.ndarray, p: np.ndarray) ->
     The gears of elastic drives are wound by what holds their joints.
     """
     chain = model.chain
-    numeric, modes = model.numpy(p), slice(chain.eta_v, model.nv)
-    q = np.append(chain.with_added(q[: model.n_joints], p), q[chain.eta_q :])
+    numeric, modes, eta = model.numpy(p), slice(chain.eta_v, model.nv), slice(chain.eta_q, model.nq)
+    q = q.copy()
+    if chain.n_added:
+        first = chain.base_q
+        q[first : chain.eta_q] = chain.with_added(q[first : first + model.n_joints], p)
     for _ in range(ITERATIONS):
         K = numeric.slopes(q, v, None, None)[1][modes, modes]
         step = np.linalg.lstsq(K, numeric.inverse_dynamics(q, v, None, None)[modes])[0]
-        q[modes] -= step
+        q[eta] -= step
         if not np.isfinite(q).all():
             break
-        if np.max(np.abs(step), initial=0.0) <= SETTLED * np.max(np.abs(q[modes]), initial=0.0):
+        if np.max(np.abs(step), initial=0.0) <= SETTLED * np.max(np.abs(q[eta]), initial=0.0):
             joints = slice(chain.base_v, chain.base_v + chain.n_joints)
             force = numeric.inverse_dynamics(q, v, None, None)[joints]
-            return wound(model, q, efforts(chain, force, q[: chain.n_joints], p) if chain.elastic_travels else force, p)
+            return wound(model, q, efforts(chain, force, chain.of_joints(q), p) if chain.elastic_travels else force, p)
     raise UsageError("the links find no steady deflection under these rates and loads")
 
 

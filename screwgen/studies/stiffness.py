@@ -81,7 +81,7 @@ def from_travels(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray:
     """
     chain, T = model.chain, np.eye(model.nv)
     if chain.elastic_travels:
-        slopes = travels(chain, q[chain.base_q : chain.base_q + chain.n_joints], p)[1]
+        slopes = travels(chain, chain.of_joints(q), p)[1]
         for joint, place in chain.elastic_travels.items():
             T[place, chain.base_v + joint] = -slopes[joint]
     return T

@@ -16,18 +16,22 @@ from ..simulation.definiteness import check_definite
 from ..simulation.mobility import closing
 from ..topology.loops import ClosingRow
 from .equilibrium import closed_start, rest
+from .equilibrium_of_floating_bases import on_fixed_base
 from .statics_with_loops import RANK, BalanceWithLoops
-from .steady import Steady, unprescribed, unresisted
+from .steady import Steady, refuse_pulled_base, unprescribed, unresisted
 
 
 def hanging(model: RobotModel, q: np.ndarray, p: np.ndarray) -> Steady:
     """Small motions about rest under gravity, with the stated joints of `q` (nq,) held while the links bend."""
-    start, stated = closed_start(model, p, q, True)
-    b = rest(model, p, np.zeros(model.n_tau), np.zeros((model.n_links, 6)), stated, start)[1]
+    chain, pose = model.chain, q[: model.chain.base_q]
+    robot = on_fixed_base(model) if chain.floating else model
+    start, stated = closed_start(robot, p, q[chain.base_q :], True)
+    b = rest(robot, p, np.zeros(robot.n_tau), np.zeros((robot.n_links, 6)), stated, start)[1]
     assert isinstance(b, BalanceWithLoops)
-    torques = np.where(stated, b.force[model.chain.held_places], 0.0)
-    tau = model.chain.with_idle_inputs(efforts(model.chain, torques, b.q[: model.n_joints], p, held=True))
-    return about(model, b.q, p, dict(zip(model.chain.closing.rows, b.forces, strict=True)), tau)
+    torques = np.where(stated, b.force[robot.chain.held_places], 0.0)
+    tau = chain.with_idle_inputs(efforts(chain, torques, b.q[: model.n_joints], p, held=True))
+    forces = dict(zip(chain.closing.rows, b.forces, strict=True))
+    return about(model, np.append(pose, b.q), p, forces, tau)
 
 
 def about(
@@ -39,9 +43,11 @@ def about(
     forces = np.array([loops.get(row, 0.0) for row in model.chain.closing.rows])
     tau = np.zeros(model.n_tau) if tau is None else tau
     M, K, _ = numeric.slopes(q, still, None, None, tau)
+    if model.chain.floating:
+        refuse_pulled_base(model, numeric.inverse_dynamics(q, still, None, None), K)
     _, J, _, bend, wrench = (np.array(x) for x in closing(model)(q, still, forces, p))
     K = K - bend
     own = unprescribed(model.chain)
     kept = linalg.null_space(J[:, own], rcond=RANK)
-    rigid = kept @ unresisted(K[:, own] @ kept, tau, K[:, m:] @ q[m:])
+    rigid = kept @ unresisted(K[:, own] @ kept, tau, K[:, m:] @ q[model.chain.eta_q :])
     return Steady(q, still, M, np.zeros_like(M), (K + K.T) / 2, tau, p, rigid, J, dict(loops), wrench.T)

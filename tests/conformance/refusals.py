@@ -23,13 +23,8 @@ class Refusal(NamedTuple):
 
 
 LOOPED = ("ball loop", "hinge loop", "slide loop", "welded loop", "coupling")
-BETWEEN = ("line spring", "rope", "bushing", "winch", "compliant loop")
-NOT_PLANNED = (*("floating", "afloat", "moving", "ball", "bristles", *LOOPED, "winch"),)
+NOT_PLANNED = ("floating", "afloat", "moving", "ball", "bristles", *LOOPED, "winch")
 REFUSALS: tuple[Refusal, ...] = (
-    *(
-        Refusal("derivatives of wrenches", (x,), "those of robots with loops are not derived", "not derived for loops")
-        for x in LOOPED
-    ),
     Refusal("identification", ("moving",), "are not identified yet", "bases that move as is given follow no reading"),
     *(
         Refusal("identification", (x, base), "are identified on a fixed base", "windows close loops of such arms alone")
@@ -52,14 +47,9 @@ REFUSALS: tuple[Refusal, ...] = (
     Refusal("URDF", ("screw",), "URDF has no joint that turns and travels at once", "URDF has no screws"),
     Refusal("URDF", ("ball",), "is a ball joint, which URDF does not have", "URDF has no ball joints"),
     *(
-        Refusal("modes", (base, x), "no table of modes beside forces between frames", "no table under loads that float")
+        Refusal(check, ("rope", base), words, "a rope to the world pulls a base that floats")
         for base in ("floating", "afloat")
-        for x in BETWEEN
-    ),
-    *(Refusal("modes", ("ball", x), "there is no modes under load yet", "about a deflection") for x in BETWEEN),
-    *(
-        Refusal("equilibrium", ("rope", base), "on the floating base", "a rope to the world pulls a base that floats")
-        for base in ("floating", "afloat")
+        for check, words in (("equilibrium", "on the floating base"), ("modes", "forces between it and the world pull"))
     ),
     Refusal(
         *("modes", ("compliant loop",), "find no steady deflection"),
@@ -82,7 +72,6 @@ REFUSALS: tuple[Refusal, ...] = (
         for check in ("equilibrium", "modes")
     ),
     *(Refusal("plan", (x,), "for which there is no plan", "plans are of arms with a drive each") for x in NOT_PLANNED),
-    Refusal("equilibrium", ("ball",), "there is no equilibrium yet", "the search adds coordinates, quaternions do not"),
 )
 
 

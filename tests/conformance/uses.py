@@ -16,6 +16,7 @@ from screwgen.backends.numpy.compliant import settled
 from screwgen.plotting.run_panels import panels
 from screwgen.robot_model import RobotModel
 from screwgen.spec.parameters import parameters
+from screwgen.studies.held_joints import joint_names
 from screwgen.studies.modes import loaded_motion, movable
 from screwgen.studies.standing import StandingBase
 
@@ -155,12 +156,12 @@ def equilibrium(case: Case) -> None:
     weight = 0.0 if chain.floating and not chain.moving else 0.1  # of the robot's: a link of order 2 bends little
     light = {f"gravity[{k}]": weight * g for k, g in enumerate(case.robot["gravity"])}
     q = closed(case)[0]
-    start, pulled = q if chain.floating else q[: model.n_joints], 0.1 * case.given[2][model.n_joints :]
+    start, pulled = q if chain.floating else q[: chain.n_redundant], 0.1 * case.given[2][model.n_joints :]
     moved = (".speed", ".twist_rate[")  # nothing moves
     pulled[[any(x in name for x in moved) for name in model.tau_names[model.n_joints :]]] = 0.0
     rest = screwgen.equilibrium(model, start, pulled if len(pulled) else None, hold=True, parameters=light)
     rests(model, rest, light)
-    names = model.q_names[chain.base_q : chain.base_q + model.n_joints]
+    names = joint_names(model)
     torques = [rest.tau[j] * (name in rest.held_joints) for j, name in enumerate(names)]
     if any(torques):
         last = int(np.flatnonzero(torques)[-1])
@@ -233,7 +234,8 @@ def modes_beside_forces(case: Case) -> None:
         assert all(np.isfinite(x.frequencies).all() for x in found.values())
         return
     gears = [chain.base_v + k for k in chain.added_joints]
-    joints = chain.with_added(chain.of_joints(at), model.parameter_values)
+    joints = at[chain.base_q : chain.base_q + chain.n_redundant]
+    joints = chain.with_added(joints, model.parameter_values) if chain.n_added else joints
     start = np.concatenate([at[: chain.base_q], joints, at[chain.eta_q :]])
     moving = {joints: movable(model, joints, start, model.parameter_values) for joints in found}
     if looped:  # which may find rest in several postures

@@ -93,36 +93,30 @@ def _pieces(chain: Chain, baked: bool, place: Place) -> dict:
     }
     own |= brakes.rows(chain)
     of_rows = {"J": "J", "J_q": "rows.q", "J_v": "rows.v"}
+    own |= {"row": entries("out->row"), "wanted": entries("out->wanted")}
     own |= {name: entries(f"work->{to}", nv) for name, to in of_rows.items()}
     placed = piece_place(chain, "work->kept", own, place)
     made = pieces(program, placed, ("c", "state", "input", "work", "out"), fail=singular, outline=True)
     return made | {"programs": [program]}
 
 
-def without_wrenches(chain: Chain) -> str:
-    """Why there are no derivatives of the joint wrenches; empty where there are."""
-    return "those of robots with loops are not derived" if chain.closing.rows else ""
-
-
 def _wrenches_by_recursion(chain: Chain, baked: Sequence[dict] | None) -> dict:
     """The derivatives of joint wrenches where links have functions of their own."""
     found = recursive_slopes.wrenches(chain, baked)
     own = {"operations": found["operations"], "product": _products_of_wrenches(chain)}
-    return own | {"missing": "", "recursion": found, "stumpff": slopes(found["distinct"])}
+    return own | {"recursion": found, "stumpff": slopes(found["distinct"])}
 
 
 def _products_of_wrenches(chain: Chain) -> int:
     """The operations of the products with the derivatives of accelerations."""
-    return 12 * chain.n * chain.nv * (2 * chain.nv + chain.n_tau)
+    return 12 * chain.n * (chain.nv + len(chain.closing.rows)) * (2 * chain.nv + chain.n_tau)
 
 
 def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
-    """The same of the joint wrenches, or why they are ``missing``."""
-    if missing := without_wrenches(chain):
-        return {"missing": missing, "recursion": None}
+    """The same of the joint wrenches."""
     made = once(_wrench_pieces, chain, baked, place)
     say_time(chain, "derivatives of wrenches", made["operations"])
-    return made | {"missing": "", "recursion": None, "product": _products_of_wrenches(chain)}
+    return made | {"recursion": None, "product": _products_of_wrenches(chain)}
 
 
 def _wrench_pieces(chain: Chain, baked: bool, place: Place) -> dict:
@@ -135,6 +129,11 @@ def _wrench_pieces(chain: Chain, baked: bool, place: Place) -> dict:
         "wrench_v": entries("out->wrench_v", 6, nv),
         "wrench_input": entries("work->by_input", 6 * chain.n),
         "wrench_state": entries("work->by_state", 6 * chain.n),
+        "row": entries("at->row"),
+        "wanted": entries("at->wanted"),
+        "m_eta": entries("at->m_eta"),
+        "wrench_row": entries("work->by_row", len(chain.closing.rows)),
+        "row_share": entries("work->share", nv),
     }
     placed = piece_place(chain, "work->kept", own, place)
     made = pieces(program, placed, ("c", "state", "input", "at", "work", "out"), outline=True)

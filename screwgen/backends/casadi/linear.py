@@ -29,7 +29,7 @@ def closing(chain: Chain) -> ca.Function:
 
 def tendon_work(chain: Chain) -> ca.Function:
     """``(q, others, p) -> (work, force, slope)``: what tensions do from straight tendons of no length to ``q``, J, its
-    derivative with q (nq), which is their generalised force, and the derivative of that (nq, nq).
+    derivative along the rates (nv), which is their generalised force, and the derivative of that (nv, nv).
 
     ``others``: the inputs behind torques of axes, tensions among them.
     """
@@ -37,14 +37,16 @@ def tendon_work(chain: Chain) -> ca.Function:
     others = ca.SX.sym("others", chain.n_tau - chain.n_joints)
     work = -ca.dot(others[: chain.n_tensions], expressions(tendon_length(chain), given)["length"])
     slope, force = ca.hessian(work, given["q"])
-    return ca.Function("tendon_work", [given["q"], others, given["p"]], [work, force, slope])
+    along, bend = ca.SX.zeros(chain.nv), ca.SX.zeros(chain.nv, chain.nv)
+    along[chain.flat_v.tolist()] = force[chain.flat_q.tolist()]  # tendons bend links, and turn no ball joint
+    bend[chain.flat_v.tolist(), chain.flat_v.tolist()] = slope[chain.flat_q.tolist(), chain.flat_q.tolist()]
+    return ca.Function("tendon_work", [given["q"], others, given["p"]], [work, along, bend])
 
 
 def statics(chain: Chain) -> ca.Function:
     """The program :func:`..algorithms.linear_model.statics`; ``wrench`` is (6, n)."""
-    chain.refuse_quaternion_joints("statics", "simulate it with dampers")
     chain.refuse_floating_base("equilibrium", "simulate it with dampers, or with PD control")
-    nq, given = chain.nq, symbols(chain, "q w_ext p")
-    shapes = {"stiffness": (nq, nq), "weight": (nq, 3), "wrench": (6, chain.n)}
+    nv, given = chain.nv, symbols(chain, "q w_ext p")
+    shapes = {"stiffness": (nv, nv), "weight": (nv, 3), "wrench": (6, chain.n)}
     found = expressions(programs.statics(chain), given)
     return function("statics", given, **found | {name: ca.reshape(found[name], *of) for name, of in shapes.items()})

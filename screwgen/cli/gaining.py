@@ -84,7 +84,7 @@ def gains(
         raise UsageError("--grid: is that of a law with a filter; add --lqg, or leave it out")
     check_destination(output, target, (".toml",), "a law")
     arm = derive(load_robot(robot, quiet))
-    postures = [joint_coordinates(text, arm, "at") for text in at or ["0 " * arm.n_joints]]
+    postures = [joint_coordinates(text, arm, "at") for text in at or ["0 " * arm.chain.n_redundant]]
     with nullcontext([None]) if target else outputs(output) as (stream,):
         with busy("seeking gains", quiet), stoppable():
             law = found_gains(arm, postures, models=models, step=step, integral=integral, bounds=bounds)

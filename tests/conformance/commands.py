@@ -65,7 +65,7 @@ def lines(folder: Path, case: Case) -> dict[str, list[str]]:
         "analyse": ["analyse", robot, "--state", rest, "--samples", "1"],
         "latex": ["latex", robot, "-o", str(folder / "equations.html")],
     }
-    joints = slice(case.model.chain.base_q, case.model.chain.base_q + case.model.n_joints)
+    joints = slice(case.model.chain.base_q, case.model.chain.base_q + case.model.chain.n_redundant)
     begin = ",".join(map(str, case.given[0][joints]))
     commands["track"] = ["track", robot, str(folder / "path.csv"), "-o", str(folder / "plan.npz"), "--near=" + begin]
     commands["track"] += ["--spacing", "2e-2"]

@@ -147,8 +147,6 @@ def test_a_ball_joint_that_nothing_resists_is_told_what_it_may_have():
 
 
 USES = {
-    "equilibrium": screwgen.equilibrium,
-    "modes under load": lambda model: screwgen.natural_frequencies(model, loaded=True),
     "acados model": lambda model: model.acados(),
 }
 

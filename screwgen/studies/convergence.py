@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arguments import Numbers, parameters_keyword
+from ..arguments import Given, Numbers, parameters_keyword
 from ..backends.numpy.vibrations import uncoupled, vibrations, without_rigid_motion
 from ..bases import products
 from ..errors import SingularError
@@ -23,6 +23,7 @@ from ..spec.reduced import elastic
 from ..spec.robot import Link, Robot
 from ..spec.values import MAX_MODES
 from .modes import closed_posture, following, loaded_motion, loaded_shapes, movable, under_loads
+from .standing import StandingBase
 from .steady import Steady, steady
 from .stiffness import from_travels, pressed, relative, stiffness_matrix
 from .vibrations_with_loops import about
@@ -50,7 +51,7 @@ def convergence(
     model: RobotModel,
     q: Numbers | None = None,
     joints: str = "locked",
-    parameters: Numbers | None = None,
+    parameters: Given = None,
     rates: Numbers | None = None,
     loaded: bool = False,
 ) -> Convergence:
@@ -60,10 +61,13 @@ def convergence(
     cannot have one more stays as it is: a direction whose frequencies are measured, or with the largest count. The
     deflection under loads is that of the present modes.
     """
+    own = model.chain.parameters.vector(parameters)
+    if model.chain.moving:
+        standing = StandingBase(model, q, own)
+        return convergence(standing.fixed, standing.q, joints, standing.values, rates, loaded)
     rich = RobotModel(enriched(model.robot))
-    names = dict(zip(model.parameter_names, model.parameter_values if parameters is None else parameters, strict=True))
+    names = dict(zip(model.parameter_names, own, strict=True))
     values = [names.get(name, value) for name, value in zip(rich.parameter_names, rich.parameter_values, strict=True)]
-    own = np.array(list(names.values()))
     q = closed_posture(model, q, own)
     moving = movable(model, joints, q, own)
     if not len(moving):

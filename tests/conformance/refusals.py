@@ -47,7 +47,8 @@ REFUSALS: tuple[Refusal, ...] = (
     Refusal("URDF", ("screw",), "URDF has no joint that turns and travels at once", "URDF has no screws"),
     Refusal("URDF", ("ball",), "is a ball joint, which URDF does not have", "URDF has no ball joints"),
     *(
-        Refusal(check, ("rope", base), words, "a rope to the world pulls a base that floats")
+        Refusal(check, (line, base), words, "a line to the world pulls a base that floats")
+        for line in ("rope", "winch")
         for base in ("floating", "afloat")
         for check, words in (("equilibrium", "on the floating base"), ("modes", "forces between it and the world pull"))
     ),

@@ -227,7 +227,8 @@ class Numeric:
         units = [ValuesPerRate(unit) for unit in np.eye(nv, nv + 1)]  # the last of the motions is rest
         found = still.inverse_dynamics(q, rest, units, w_ext)
         efforts = np.array([x.entries if isinstance(x, ValuesPerRate) else np.full(nv + 1, x) for x in found])
-        return (efforts[:, :-1] - efforts[:, -1:]).reshape(nv, nv)
+        efforts = efforts.reshape(nv, nv + 1)
+        return efforts[:, :-1] - efforts[:, -1:]
 
     def derivatives(
         self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads

@@ -32,8 +32,8 @@ def plan(case: Case) -> None:
     refuse_robot(model)
     still = Still(model, model.chain.parameters.vector(light))
     inertia, falls = np.diag(still.rigid_inertia(still.held(start).q)), falling(still, start)
-    stiff, damped = STIFF + FIRMER * falls**2, DAMPED + FIRMER * falls
-    law = screwgen.PD(tuple(stiff * inertia), tuple(damped * inertia), tuple(start))
+    stiff = STIFF + FIRMER * falls**2
+    law = screwgen.PD(tuple(stiff * inertia), tuple(DAMPED * inertia), tuple(start))
     found = screwgen.plan(model, start, start + WAY, TIME, gains=law, fast=True, parameters=light)
     played = screwgen.play(model, found, step=STEP, after=0.2, parameters=light)
     planned = np.array([found.reference(t)[0] for t in played.run.t])

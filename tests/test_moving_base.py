@@ -11,6 +11,7 @@ from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
 import screwgen
+from screwgen.studies.convergence import convergence
 
 SOFT = {"modes": {"bending_y": 1, "bending_z": 1}, "section": {"rhoA": 1.2, "EIy": 50.0, "EIz": 60.0}}
 BODY = {"at": "base", "mass": 0.7, "com": [0.1, -0.2, 0.3], "inertia": [0.1, 0.1, 0.1, 0.0, 0.0, 0.0]}
@@ -151,6 +152,10 @@ def test_at_rest_wherever_it_stands():
     found = screwgen.natural_frequencies(model, np.append(q[:10], np.zeros(4)), **how)
     assert relative(found, screwgen.natural_frequencies(fixed, q[7:10], parameters=fall, **how)) < 1e-9
     assert screwgen.mode_shapes(model, joints="free").shapes.shape[0] == model.nv
+    more, of_fixed = (
+        convergence(*x, **how) for x in ((model, np.append(q[:10], np.zeros(4))), (fixed, q[7:10], "locked", fall))
+    )
+    assert len(more.total) == len(found) and relative(more.total, of_fixed.total) < 1e-6
     with pytest.raises(screwgen.UsageError, match="accelerates the base"):
         screwgen.equilibrium(model, q, np.eye(model.n_tau)[4])
 

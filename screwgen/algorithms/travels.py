@@ -180,6 +180,10 @@ def _unary(op: str, x: float) -> float:
     return -x if op == "neg" else getattr(math, op)(x)
 
 
+NEWTONS, CLOSE = 20, 1e-14
+"""Steps of the search for where a rigid gear would have a joint, and the last of them."""
+
+
 def ahead_of_joints(chain: Chain, q: Numbers, v: Numbers, p: Numbers) -> tuple[np.ndarray, np.ndarray]:
     """How far rotors behind elastic gears of transmissions are ahead of their joints, and how fast: (n_joints,) each.
 
@@ -208,10 +212,6 @@ def ahead_of_joints(chain: Chain, q: Numbers, v: Numbers, p: Numbers) -> tuple[n
             break
     rate = (slope * rates + faster) / np.where(moves, lever, 1.0)
     return there - joints, np.where(moves, rate - rates, 0.0)
-
-
-NEWTONS, CLOSE = 20, 1e-14
-"""Steps of the search for where a rigid gear would have a joint, and the last of them."""
 
 
 def efforts(chain: Chain, torques: np.ndarray, q: Numbers, p: Numbers, held: bool = False) -> np.ndarray:

@@ -11,8 +11,11 @@ from .curves import thin
 from .look import GREY, LIMITS, PALE, PALETTE, SMALL, canvas, legend_above, png, styled
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from matplotlib.axes import Axes
 
+    from ..simulation.arrival import Arrival
     from .plan_report import PlanReport
 
 DPI = 110
@@ -74,35 +77,34 @@ def _bounds(axes: Axes, bounds: tuple[float, float]) -> None:
 @styled
 def tip_over_time(report: PlanReport) -> bytes:
     """How far the tip is from the middle of where it moves behind the end, over time, of all models."""
-    out = canvas(WIDE, 3.0)
-    axes = out.subplots()
-    for k, (name, arrived) in enumerate(report.arrivals.items()):
+
+    def off(arrived: Arrival) -> np.ndarray:
         run = arrived.run
         behind = run.tip_position[run.t >= report.plan.time * (1 - 1e-12)]
-        middle = (behind.min(axis=0) + behind.max(axis=0)) / 2
-        off = np.maximum(np.linalg.norm(run.tip_position - middle, axis=1), STILL)
-        axes.semilogy(*thin(run.t, 1e3 * off), color=PALETTE[k % len(PALETTE)], label=name)
-    axes.set_ylim(bottom=max(1e3 * STILL, 50 * min(x.residual for x in report.arrivals.values())))
-    axes.axvline(report.plan.time, **LIMITS)
-    axes.set_xlim(0.0, report.first.run.t[-1])
-    axes.set_xlabel("t (s)")
-    axes.set_ylabel("tip from its rest (mm)")
-    legend_above(axes)
-    return png(out, DPI)
+        return np.linalg.norm(run.tip_position - (behind.min(axis=0) + behind.max(axis=0)) / 2, axis=1)
+
+    least = 50 * min(x.residual for x in report.arrivals.values())
+    return _distances(report, off, "tip from its rest (mm)", least)
 
 
 @styled
 def off_path_over_time(report: PlanReport) -> bytes:
     """How far the tip is from its path over time, of all models."""
+    return _distances(report, report.off_path, "tip from its path (mm)")
+
+
+def _distances(report: PlanReport, off: Callable[[Arrival], np.ndarray], what: str, least: float = 0.0) -> bytes:
+    """Distances ``off`` of the tip, m, over time, of all models; ``least``: where their scale begins, mm."""
     out = canvas(WIDE, 3.0)
     axes = out.subplots()
     for k, (name, arrived) in enumerate(report.arrivals.items()):
-        off = np.maximum(report.off_path(arrived), STILL)
-        axes.semilogy(*thin(arrived.run.t, 1e3 * off), color=PALETTE[k % len(PALETTE)], label=name)
+        far = np.maximum(off(arrived), STILL)
+        axes.semilogy(*thin(arrived.run.t, 1e3 * far), color=PALETTE[k % len(PALETTE)], label=name)
+    axes.set_ylim(bottom=max(1e3 * STILL, least))
     axes.axvline(report.plan.time, **LIMITS)
     axes.set_xlim(0.0, report.first.run.t[-1])
     axes.set_xlabel("t (s)")
-    axes.set_ylabel("tip from its path (mm)")
+    axes.set_ylabel(what)
     legend_above(axes)
     return png(out, DPI)
 
@@ -117,6 +119,6 @@ def errors_of_the_model(report: PlanReport) -> bytes:
     axes.axvline(1.0, **LIMITS)
     axes.set_ylim(bottom=0.0)
     axes.set_xlabel("factor of what was planned for")
-    axes.set_ylabel("residual of the tip (mm)" if report.path is None else "tip from its path, at most (mm)")
+    axes.set_ylabel(f"{report.measured} (mm)")
     legend_above(axes)
     return png(out, DPI)

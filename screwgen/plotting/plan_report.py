@@ -43,15 +43,21 @@ class PlanReport:
     notes: tuple[str, ...]
     """What runs warned of."""
     path: PlannedPath | None = None
-    """Where the tip is to be over the time of the plan, if that was asked."""
+    """Where the tip is to be at times of the plan, where it is to be on a path."""
 
     @property
     def first(self) -> Arrival:
         """How the model that is planned for arrives."""
         return self.arrivals[PLANNED]
 
+    @property
+    def measured(self) -> str:
+        """What is asked of runs with errors of the model."""
+        return "residual of the tip" if self.path is None else "largest distance of the tip from its path"
+
     def off_path(self, arrived: Arrival) -> np.ndarray:
         """(samples,), m: how far the tip of a run is from its path."""
+        assert self.path is not None, "the plan follows no path"
         return off_path(self.path, arrived)
 
     @property
@@ -141,12 +147,9 @@ def plan_report(
     return PlanReport(model, plan, bounds, arrivals, curves, tuple(dict.fromkeys(heard)), path)
 
 
-def off_path(path: PlannedPath | None, arrived: Arrival) -> np.ndarray:
-    """(samples,), m: how far the tip of a run is from a path; NaN where none is asked for."""
-    run = arrived.run
-    if path is None:
-        return np.full(len(run.t), np.nan)
-    return np.linalg.norm(run.tip_position - path(run.t), axis=1)
+def off_path(path: PlannedPath, arrived: Arrival) -> np.ndarray:
+    """(samples,), m: how far the tip of a run is from a path."""
+    return np.linalg.norm(arrived.run.tip_position - path(arrived.run.t), axis=1)
 
 
 def _models(

@@ -185,13 +185,12 @@ def _errors(report: PlanReport) -> Context:
         TableRow((what, *map(_mm, found.residuals)), bool(found.saturated.any() or found.failed))
         for what, found in curves.items()
     ]
-    measured = "The residual of the tip" if report.path is None else "The largest distance of the tip from its path"
     varied = "; ".join(f"{what}: {', '.join(_arrays(found.parameters))}" for what, found in curves.items())
     return table(
         ("", *(f"× {x:g}" for x in factors)),
         rows,
-        f"{measured}, mm, where all of these parameters are others by a factor. {varied}.",
-        {f"{measured} over factors of parameters": errors_of_the_model(report)},
+        f"The {report.measured}, mm, where all of these parameters are others by a factor. {varied}.",
+        {f"The {report.measured} over factors of parameters": errors_of_the_model(report)},
     )
 
 

@@ -152,7 +152,7 @@ class PD:
         ratios, ahead = 1.0 / chain.at_efforts(np.ones(chain.n_joints), p), chain.base_q - chain.base_v
         through = partial(_efforts, chain, p) if chain.travels else None
         driven = tuple(chain.effort_places)
-        ahead_of = partial(_ahead, chain, p) if chain.elastic_travels else None
+        ahead_of = partial(ahead_of_joints, chain, p=p) if chain.elastic_travels else None
         return replace(
             self,
             driven=driven,
@@ -234,10 +234,6 @@ class PD:
             tau = self.efforts(tau, there)
         tau = np.append(tau, np.zeros(self.idle))
         return tau if self.gravity is None else tau + self.gravity(there)
-
-
-def _ahead(chain: Chain, p: Numbers, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    return ahead_of_joints(chain, q, v, p)
 
 
 def _efforts(chain: Chain, p: Numbers, torques: np.ndarray, q: np.ndarray) -> np.ndarray:

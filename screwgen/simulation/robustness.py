@@ -53,8 +53,8 @@ def robustness(
     """Play a plan on arms whose parameters `names`, or patterns as `*.EIz`, are multiplied by each of `factors`.
 
     `measure`: what is asked of each run, m; how still it stands, if not given. `ways`: what else :func:`play` takes;
-    `progress` is called after every run. A run that diverges is part of the
-    result; raises UsageError where there is no such parameter, or none may have such a value.
+    `progress` is called after every run. A run that diverges is part of the result; raises UsageError where there is
+    no such parameter, or none may have such a value.
     """
     values = model.chain.parameters.vector(parameters)
     places = sorted({k for name in names for k in model.chain.parameters.chosen(name)})

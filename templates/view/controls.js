@@ -130,7 +130,8 @@ window.screwgen = {
   eyes: (link) => robot.parts[link].cylinders.map((cylinder) => cylinder.eyes),
   /** The points at which the lines of forces are drawn, inertial frame, m. */
   lines: () => robot.lines.map((line) => line.points),
-  frames: () => drawn.slice(),
+  /** What the last picture asked of the graphics: calls and triangles. */
+  cost: () => ({ calls: renderer.info.render.calls, triangles: renderer.info.render.triangles }),
   /** When what was asked for has been drawn and shown. */
   settled: () => new Promise((done) => {
     state.stale = true;

@@ -287,7 +287,6 @@ function play(on) {
 
 let before = 0;
 let told = 0;
-const drawn = [];
 function tick(stamp) {
   requestAnimationFrame(tick);
   const passed = Math.min((stamp - before) / 1000, 0.25);
@@ -306,8 +305,6 @@ function tick(stamp) {
   if (controls && controls.update()) state.stale = true;
   if (!state.stale) return;
   draw();
-  drawn.push(stamp);
-  if (drawn.length > 240) drawn.shift();
   if (stamp - told > 60 || !state.playing) {
     tell();
     told = stamp;

@@ -1,4 +1,4 @@
-"""The viewer's pages in headless Chromium: where things are drawn, that nothing is asked for, and how much a picture takes."""
+"""The viewer's pages in headless Chromium: where things are drawn, that nothing is asked for, what a picture takes."""
 
 import itertools
 

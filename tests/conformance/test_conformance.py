@@ -23,9 +23,10 @@ SHORT = [ROWS.index(row) for row in few()]
 DRAWN = random_rows(48)
 LONG = (
     *("JAX, gradients", "mock-up unit", "C folder", "commands", "derivatives by parameters", "estimator of parameters"),
-    *("C, float", "lanes, float", "plan"),
+    *("C, float", "lanes, float", "plan", "JAX"),
 )
-"""Checks that try each feature, but not each pair: they take long, or compile a text again in another precision."""
+"""Checks that try each feature, but not each pair: they take long, compile a text again in another precision, or, as
+JAX, translate operation by operation the programs that CasADi's check tries with all pairs."""
 QUICK = tuple(name for name in CHECKS if name not in LONG)
 SOME = ("judge", "DAE form", "CasADi", "C, fused", "derivatives of steps", "document")
 OTHERS = [(k, name) for k in range(len(ROWS)) for name in QUICK if k not in SHORT]

@@ -17,11 +17,10 @@ from ..arguments import Given
 from ..planning.drive_coordinates import DriveCoordinates
 from ..planning.limits import motion_limits
 from ..planning.make import scaled
-from ..planning.plan import MotionPlan
+from ..planning.plan import MotionPlan, PlanWarning
 from ..planning.task import MotionLimits
 from ..robot_model import RobotModel
 from ..simulation.arrival import Arrival, play
-from ..simulation.played import PlanWarning
 from ..simulation.robustness import FACTORS, Robustness, robustness, usual
 
 PlannedPath = Callable[[np.ndarray], np.ndarray]

@@ -52,7 +52,7 @@ class PlanReport:
     @property
     def measured(self) -> str:
         """What is asked of runs with errors of the model."""
-        return "residual of the tip" if self.path is None else "largest distance of the tip from its path"
+        return "residual of the tip" if self.path is None else "largest distance from the path"
 
     def off_path(self, arrived: Arrival) -> np.ndarray:
         """(samples,), m: how far the tip of a run is from its path."""

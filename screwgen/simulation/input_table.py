@@ -54,6 +54,9 @@ def read_table(path: str | os.PathLike[str], names: Sequence[str]) -> tuple[np.n
     if len(lines) < 2:
         raise UsageError(f"{file}: has no rows; write a head, {','.join(known[:3])}, and a row for every time")
     (_, head), *lines = lines
+    if len(head) == 1 and (apart := next((x for x in ";\t" if x in head[0]), None)):
+        said = "semicolons" if apart == ";" else "tabs"
+        raise UsageError(f"{file}: has {said} between its columns; write commas, and decimals with a point")
     for name in head:
         if name not in known:
             raise UsageError(f"{file}: column '{one_line(name)}' {unknown(name, known)}")

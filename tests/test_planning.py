@@ -1,5 +1,6 @@
 """Plans of motions that end at rest: judged by bang-bang's closed form, by the arm itself, by what forbids them."""
 
+import signal
 from dataclasses import replace
 
 import numpy as np
@@ -118,6 +119,14 @@ def test_a_load_is_carried_along_in_the_shortest_time():
     plan = screwgen.plan(trolley, [0.0, 0.0], [1.0, 0.0], "shortest", limits={"efforts": [20.0, 0.0]}, intervals=60)
     best = bang_bang(1.0, 0.97 * 20.0, 10.0, np.sqrt(9.81 * 10.0 / 8.0) / (2 * np.pi))
     assert best < plan.time < 1.03 * best and np.abs(plan.tau[:, 1]).max() < 1e-9
+
+
+def test_an_interruption_ends_the_search():
+    """The solver took it for a motion that cannot be found, and the search went on to another one."""
+    with pytest.raises(KeyboardInterrupt):
+        screwgen.plan(
+            one_mode(), [0.0], [1.0], 1.2, progress=lambda i, _: i == 2 and signal.raise_signal(signal.SIGINT)
+        )
 
 
 def smooth(plan):

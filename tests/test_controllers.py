@@ -115,6 +115,7 @@ def test_inputs_over_time_come_from_a_table(tmp_path):
         ("", "has no rows; write a head, t,"),
         ("t,elbow\n0,1\n", "column 'elbow' is an unknown key; "),
         ("t,t\n0,1\n", "column 't' is there 2 times; leave one"),
+        ("t;upper.torque[0]\n0;1\n", "has semicolons between its columns; write commas"),
         ("upper.torque[0]\n1\n", "has no column 't'"),
         ("t,upper.torque[0]\n0,1\n1\n", "line 3: has 1 entries; it must have 2, as the head"),
         ("t,upper.torque[0]\n0,nan\n", r"line 2: upper.torque\[0\] is 'nan'; it must be a finite number"),

@@ -1,6 +1,7 @@
 """Identification: numbers are found again from logs of a robot that has them."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -161,6 +162,22 @@ def test_a_part_outside_of_the_log_is_refused_in_a_line(tmp_path, part):
     np.savetxt(tmp_path / "log.csv", np.column_stack([t, t, t, t]), delimiter=",", header=names, comments="")
     with pytest.raises(screwgen.UsageError, match=r"log\.csv: has 0 samples from"):
         screwgen.identify(pendulum(), f"{tmp_path / 'log.csv'}@{part}", free=["rod.EIz"], sensors=SENSORS)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "has no column that the robot names, as {name}.*; it is empty; say with sensors"),
+        ("t,angle\n0,1\n", "has no column that the robot names, as {name}.*; it has t, angle; say with sensors"),
+        ("t,{name}\n", "has no rows; give one at least"),
+        ("t;{name}\n0;1\n", "has semicolons between its columns; write commas"),
+    ],
+)
+def test_a_log_without_numbers_is_refused_in_a_line(tmp_path, text, said):
+    model, path = pendulum(), tmp_path / "log.csv"
+    path.write_text(text.format(name=model.q_names[0]))
+    with pytest.raises(screwgen.UsageError, match=r"log\.csv: " + said.format(name=re.escape(model.q_names[0]))):
+        screwgen.identify(model, path, free=["rod.EIz"])
 
 
 class Astray:

@@ -101,3 +101,15 @@ def test_a_file_asks_for_a_place_of_the_tip(tmp_path, capsys):
     (tmp_path / "plan.toml").write_text("goal = [0.1, 0.0]\n" + task)
     assert main(["plan", *files[:2], "-o", files[2], "--quiet"]) == 2
     assert "plan.toml: goal, goal_tip: state one of them" in capsys.readouterr().err
+    faults = {
+        "goal = [0.1, 90.0]\nstart = [0.0]\ntime = 3.0\n": "plan.toml: start: has 1 numbers; it must have 2",
+        task.replace("0.6, 0.0", "0.6, 9.0"): "plan.toml: goal_tip: is out of reach; ",
+        task.replace(
+            "time = 3.0", "time = " + '"fast"'
+        ): 'plan.toml: time: is "fast"; it must be a number of s, or "shortest"',
+    }
+    for text, said in faults.items():
+        (tmp_path / "plan.toml").write_text(text)
+        assert main(["plan", *files[:2], "-o", files[2], "--quiet"]) == 2
+        *notes, error = capsys.readouterr().err.splitlines()
+        assert said in error and ("90 degrees are 1.571" in "".join(notes)) == ("90.0" in text)

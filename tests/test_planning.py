@@ -1,5 +1,6 @@
 """Plans of motions that end at rest: judged by bang-bang's closed form, by the arm itself, by what forbids them."""
 
+import signal
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +10,8 @@ from helpers import arm, example, link, loaded_boom, model_of
 import screwgen
 from screwgen import UsageError
 from screwgen.planning.followed import efforts_with_law
-from screwgen.simulation.played import PlanWarning, Played, read_played
+from screwgen.planning.plan import PlanWarning
+from screwgen.simulation.played import Played, read_played
 
 ROTOR, LOAD, EI, LENGTH = 0.4, 1.0, 40.0, 1.0
 LAW = screwgen.PD((60.0,), (12.0,), (0.0,))
@@ -96,6 +98,35 @@ def test_the_shortest_plan_leaves_the_law_what_it_takes(monkeypatch):
     bare = screwgen.plan(model, [0.0], [1.0], "shortest", **asked)
     assert bare.time < plan.time < 1.05 * bare.time
     assert screwgen.play(model, bare, step=2.5e-4).saturated > 100
+
+
+@pytest.mark.parametrize("most, said", [(np.nan, "could not be found"), (30.0, r"limit of a drive by 2\.5e\+02 %")])
+def test_what_the_law_takes_is_told_where_no_tighter_limits_leave_it(monkeypatch, most, said):
+    """Of a motion that the finer grid does not follow, or of one whose limits would have to fall below zero."""
+    monkeypatch.setattr("screwgen.planning.followed.efforts_with_law", lambda *given: np.array([most]))
+    with pytest.warns(PlanWarning, match=said):
+        screwgen.plan(one_mode(), [0.0], [1.0], 1.2, gains=LAW, limits={"efforts": [8.5]})
+
+
+def test_a_load_is_carried_along_in_the_shortest_time():
+    """A pendulum on a trolley, which no drive moves, swings to the angle that it had."""
+    slide = {"axes": [{"slide": "x"}], "armature": [5.0]}
+    links = [
+        {"name": "cart", "joint": slide, "bodies": [{"at": "base", "mass": 3.0}]},
+        {"name": "load", "joint": {"axes": ["y"]}, "bodies": [{"at": "base", "mass": 2.0, "com": [0.0, 0.0, -1.0]}]},
+    ]
+    trolley = screwgen.derive(screwgen.Robot(name="trolley", gravity=[0.0, 0.0, -9.81], links=links))
+    plan = screwgen.plan(trolley, [0.0, 0.0], [1.0, 0.0], "shortest", limits={"efforts": [20.0, 0.0]}, intervals=60)
+    best = bang_bang(1.0, 0.97 * 20.0, 10.0, np.sqrt(9.81 * 10.0 / 8.0) / (2 * np.pi))
+    assert best < plan.time < 1.03 * best and np.abs(plan.tau[:, 1]).max() < 1e-9
+
+
+def test_an_interruption_ends_the_search():
+    """The solver took it for a motion that cannot be found, and the search went on to another one."""
+    with pytest.raises(KeyboardInterrupt):
+        screwgen.plan(
+            one_mode(), [0.0], [1.0], 1.2, progress=lambda i, _: i == 2 and signal.raise_signal(signal.SIGINT)
+        )
 
 
 def smooth(plan):

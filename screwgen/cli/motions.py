@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from ..errors import UsageError, one_line
 from .destinations import C, check_destination, write_c
 from .options import Quiet, RobotFile
 
@@ -51,19 +52,23 @@ def plan(
     from ..planning.tip_goals import inverse_kinematics
     from ..progress import bar
     from ..simulation.controller_files import read_pd
-    from ..spec.plan import read_task
+    from ..spec.plan import PlanFile, read_task
     from .output import load_robot, say, stoppable
+    from .stated_numbers import note_degrees
 
     quiet = quiet or context.obj
     check_destination(output, target, FORMATS, "a plan")
     _check_report(report)
     model = derive(load_robot(robot, quiet))
     asked, law = read_task(task)
+    for key, joints in (("start", asked.start), ("goal", asked.goal or ())):
+        note_degrees(joints, model, f"{one_line(task)}: {key}")
     ways: dict[str, Any] = {"intervals": asked.intervals, "models": asked.models, "through": asked.through}
     ways["limits"] = {key: x for key, x in asked.limits.model_dump().items() if x is not None}
     ways["gains"] = None if law is None else read_pd(law, model)
-    goal = asked.goal or inverse_kinematics(model, asked.goal_tip or (), asked.start)
-    with _reported(report) as page, stoppable():
+    with _in_file(task, {x: x for x in PlanFile.model_fields} | {"tip": "goal_tip", "near": "start"}):
+        goal = asked.goal or inverse_kinematics(model, asked.goal_tip or (), asked.start)
+    with _reported(report) as page, stoppable(), _in_file(task, {x: x for x in PlanFile.model_fields}):
         with destination(output, target, step) as write:
             with bar("planning", 80, quiet) as progress:
                 found = made(model, asked.start, goal, asked.time, **ways, fast=fast, progress=progress)
@@ -103,21 +108,35 @@ def track(
     from ..simulation.controller_files import read_pd
     from ..simulation.path_table import read_path
     from .output import load_robot, say, stoppable
-    from .stated_numbers import joint_coordinates
+    from .stated_numbers import joint_coordinates, note_angle
 
     quiet = quiet or context.obj
     check_destination(output, target, FORMATS, "a plan")
     _check_report(report)
     asked, model = read_path(path), derive(load_robot(robot, quiet))
+    note_angle(asked.turn, "angle", f"{one_line(path)}: circle")
     ways: dict[str, Any] = {"preview": preview, "step": spacing, "gains": None if law is None else read_pd(law, model)}
     ways["near"] = None if near is None else joint_coordinates(near, model, "near")
-    with _reported(report) as page, stoppable():
+    with _reported(report) as page, stoppable(), _in_file(path, {"path": "path"}):
         with destination(output, target, step) as write:
             with bar("planning", 15, quiet) as progress:
                 found = made(model, asked, asked.time, **ways, progress=progress)
             files = write(found)
         files += page(model, found, quiet, path=lambda t: asked(t - preview))
     say("\n".join([*files, *_followed(found)]), quiet)
+
+
+@contextmanager
+def _in_file(file: str, keys: Mapping[str, str]) -> Iterator[None]:
+    """Put the name of a file before faults of what it states; `keys`: its keys by words that faults begin with."""
+    try:
+        yield
+    except UsageError as error:
+        word, colon, rest = str(error).partition(":")
+        name, bracket, index = word.partition("[")
+        if not colon or name not in keys:
+            raise
+        raise UsageError(f"{one_line(file)}: {keys[name]}{bracket}{index}:{rest}") from None
 
 
 def _followed(found: MotionPlan) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable
 
 import numpy as np
 
@@ -21,13 +22,26 @@ def joint_coordinates(given: str, model: Model, option: str = "q") -> np.ndarray
     """The joint coordinates, quaternions among them, in an option; a note names angles that are likely degrees."""
     what = "joint coordinates" if model.chain.sliding or model.chain.curved else "joint angles in rad"
     q = numbers("q", given, model.chain.n_redundant, what, option)
+    note_degrees(q, model, f"--{option}")
+    return q
+
+
+def note_degrees(q: Iterable[float], model: Model, where: str) -> None:
+    """Name joint coordinates that are likely degrees."""
     joints = slice(model.chain.base_q, model.chain.base_q + model.chain.n_redundant)
     units = coordinate_units(model.robot)[joints]
-    for name, unit, x in zip(model.q_names[joints], units, q.tolist(), strict=True):
-        if unit == "rad" and abs(x) > TURNS:
-            said = f"{name} is {x:g} rad, {x / (2 * np.pi):.3g} turns"
-            print(f"screwgen: note: --{option}: {said}; {x:g} degrees are {np.radians(x):.4g}", file=sys.stderr)
-    return q
+    for name, unit, x in zip(
+        model.q_names[joints], units, map(float, q), strict=False
+    ):  # other lengths are refused later
+        if unit == "rad":
+            note_angle(x, name, where)
+
+
+def note_angle(x: float, name: str, where: str) -> None:
+    """Name an angle that is likely one in degrees."""
+    if abs(x) > TURNS:
+        said = f"{name} is {x:g} rad, {x / (2 * np.pi):.3g} turns"
+        print(f"screwgen: note: {where}: {said}; {x:g} degrees are {np.radians(x):.4g}", file=sys.stderr)
 
 
 def numbers(quantity: str, given: str, size: int, what: str, option: str = "") -> np.ndarray:

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..errors import UsageError
 from ..files import open_regular
+from ..simulation.input_table import refuse_separators
 from ..simulation.runs import ARRAYS, NAMES, TIP_NAMES, run_arrays, suffix
 from ..spec.columns import Column, Columns
 from ..spec.load import one_line
@@ -70,7 +71,9 @@ def head_of(path: str | os.PathLike[str]) -> list[str]:
         return list(_npz_columns(path))
     with _opened(path) as stream:
         line = stream.readline(1 << 20)
-    return [x.strip() for x in next(csv.reader([line.decode("utf-8-sig", "replace")]), [])]
+    head = [x.strip() for x in next(csv.reader([line.decode("utf-8-sig", "replace")]), [])]
+    refuse_separators(one_line(os.fsdecode(path)), head)
+    return head
 
 
 Span = tuple[float, float]

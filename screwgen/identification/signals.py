@@ -16,7 +16,7 @@ from ..algorithms.gauges import gauges
 from ..algorithms.measurement import Attitude, Measurement
 from ..algorithms.measurement_names import measurement
 from ..arguments import choice
-from ..errors import UsageError
+from ..errors import UsageError, one_line
 from ..ir.program import Program
 from ..ir.replay import run
 from ..robot_model import RobotModel
@@ -149,12 +149,14 @@ def _replayed(program: Program, given: Mapping[str, list[Any]]) -> dict[str, lis
         return run(program, {name: given[name] for name in program.inputs}, lambda op, x: ARRAYS[op](x))[0]
 
 
-def of_run(model: RobotModel, head: Sequence[str]) -> Columns:
+def of_run(model: RobotModel, head: Sequence[str], log: str) -> Columns:
     """The columns of a log that are named as in runs of `simulate`: coordinates, rates, the tip's place, and inputs."""
     measured = [name for name in (*model.q_names, *model.v_names, *TIP_NAMES) if name in head]
     if not measured:
         known = ", ".join(model.q_names[:3])
-        raise UsageError(f"the log has no column that the robot names, as {known}; say with sensors= what it measures")
+        there = f"it has {', '.join(map(one_line, head[:4]))}" if head else "it is empty"
+        said = f"{log}: has no column that the robot names, as {known}; {there}"
+        raise UsageError(f"{said}; say with sensors what it measures")
     driven = [name for name in model.tau_names if name in head]
     return Columns(
         columns=(*(Column(name=x, measures=x) for x in measured), *(Column(name=x, drives=x) for x in driven))

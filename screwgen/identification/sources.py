@@ -42,7 +42,8 @@ def columns_of(model: RobotModel, sensors: Any, first: Source) -> Columns:
     elif sensors is not None:
         columns = load_columns(sensors)
     else:
-        columns = of_run(model, _head(first))
+        name = first.name if isinstance(first, Log | Run) else one_line(_part(first)[0])
+        columns = of_run(model, _head(first), name)
     for column in columns.inputs:
         if column.drives not in model.tau_names:
             known = ", ".join(model.tau_names[:4])
@@ -80,8 +81,13 @@ def log_of(source: Source, columns: Columns) -> Log:
     return log if start is None or end is None else replace(log.part(start, end), name=one_line(os.fsdecode(source)))
 
 
+def _constant(values: np.ndarray) -> bool:
+    """Whether a column has one value; one without rows is refused later."""
+    return bool(values.size and np.ptp(values) == 0)
+
+
 def varying(columns: Columns, logs: Sequence[Log]) -> Columns:
     """The columns without sensors that say nothing, as what a planar arm has across its plane."""
-    silent = {c.name for c in columns.sensors if all(np.ptp(log.columns[c.name]) == 0 for log in logs)}
+    silent = {c.name for c in columns.sensors if all(_constant(log.columns[c.name]) for log in logs)}
     left = tuple(column for column in columns.columns if column.name not in silent)
     return columns.model_copy(update={"columns": left})

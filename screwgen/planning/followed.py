@@ -6,6 +6,7 @@ between, and joints that it pushes off their references are brought back by the 
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -15,6 +16,7 @@ from .between import Curve
 from .bumps import CLOSE, Responding
 from .limits import HEADROOM
 from .members import PlannedModel
+from .plan import PlanWarning
 from .solve import Found
 from .task import Task
 
@@ -27,7 +29,10 @@ SPARE = 0.003
 
 
 def efforts_with_law(task: Task, member: PlannedModel, found: Found) -> np.ndarray:
-    """(n_joints,): the largest efforts, of either sign, of drives that play what was found for a model."""
+    """(n_joints,): the largest efforts, of either sign, of drives that play what was found for a model.
+
+    nan where Newton's method ends at no motion on the finer grid.
+    """
     m, fine = len(task.start), replace(task, intervals=FINER * task.intervals)
     motion, efforts = found.motions[0], found.efforts_at_points
     stretches = motion.q.shape[1] - 1
@@ -42,6 +47,8 @@ def efforts_with_law(task: Task, member: PlannedModel, found: Found) -> np.ndarr
         moved = followed.motion
         if followed.off <= CLOSE:
             break
+    else:
+        return np.full(m, np.nan)
     added = task.law.torques(*(told[:2] - moved[:2, :m])) / member.still.levers_at(moved[0])
     return np.abs(tau + added).max(axis=1)
 
@@ -51,7 +58,8 @@ def within_efforts(
 ) -> Found:
     """What was found, or a plan with tighter limits that leaves the law what it takes; that which does so most.
 
-    A search for the shortest time may give plans that take longer.
+    A search for the shortest time may give plans that take longer. A warning says where none leaves enough, and where
+    the finer grid has no motion, as of a rope that goes slack; the plan is then as it was found.
     """
     most = task.limits.efforts / HEADROOM
     limited = np.isfinite(most) & (most > 0)
@@ -61,15 +69,21 @@ def within_efforts(
     for _ in range(ROUNDS):
         task = task.within(found.time)
         excess = np.where(limited, efforts_with_law(task, member, found), 0.0)[limited] - (1.0 - SPARE) * most[limited]
-        if (worst := float((excess / most[limited]).max())) < least:
+        worst = float((excess / most[limited]).max())
+        if worst < least:
             best, least = found, worst
-        if worst <= 0:
-            break
         efforts = task.limits.efforts.copy()
         efforts[limited] -= FURTHER * np.maximum(excess, 0.0)
+        if not worst > 0 or not (efforts[limited] > 0).all():
+            break
         task = replace(task, limits=replace(task.limits, efforts=efforts))
         again = search(task, found)
         if not again.sound:
             break
         found = replace(again, iterations=again.iterations + found.iterations)
+    if least > 0:
+        took = f"pass the limit of a drive by {100 * least:.2g} %" if np.isfinite(least) else "could not be found"
+        said = f"its {task.intervals} intervals do not resolve what the motion excites"
+        remedy = "give more intervals or more time; the report says what drives give when it is played"
+        warnings.warn(f"plan: {said}: efforts with those of the law {took}; {remedy}", PlanWarning, stacklevel=3)
     return best

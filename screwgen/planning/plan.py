@@ -14,6 +14,12 @@ from .hermite import coefficients
 ARRAYS = ("t", "q", "v", "vdot", "tau", "kp", "kd", "tau_max")
 
 
+class PlanWarning(UserWarning):
+    """A plan that is played from another state than its own, or by another robot, or whose drives may give more than
+    was planned; one line meant for a user.
+    """
+
+
 class Samples(NamedTuple):
     """What a clock plays, a row per sample, the last one that of the rest at the goal."""
 

@@ -71,9 +71,11 @@ def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> AtRest
     for end, rest in (("start", start), ("goal", goal)):
         for j, (effort, most) in enumerate(zip(np.abs(rest.effort), limits.efforts, strict=True)):
             if effort > most + ROUNDING * (1.0 + np.abs(rest.effort).max()):
-                raise UsageError(
-                    f"{end}: to rest there takes {effort:.4g} of {names[j]}; of its limit {most:.4g} is planned with"
-                )
+                said = f"{end}: to rest there takes {effort:.4g} of {names[j]}"
+                if not most:
+                    remedy = "give the rest to all digits, as equilibrium --json prints it"
+                    raise UsageError(f"{said}, which no drive moves as its limit of efforts is 0; {remedy}")
+                raise UsageError(f"{said}; of its limit {most:.4g} is planned with")
         for _, sizes, most, every in _loads(
             model, own, Trajectory(rest.q[:, None], 0.0 * rest.q, 0.0 * rest.q), limits
         ):

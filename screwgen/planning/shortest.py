@@ -48,9 +48,13 @@ def shortest(task: Task, own: Still, search: Callable[[Task, Found | None], Foun
 
 
 def _first(task: Task, own: Still) -> float:
-    """A time in which a rigid arm would get there, joint by joint, with half of the efforts that remain."""
+    """A time in which a rigid arm would get there, joint by joint, with half of the efforts that remain.
+
+    A joint that no drive moves, whose effort is 0, is carried along by the others.
+    """
     rest = own.held(task.start)
     inertia = np.abs(np.diag(own.rigid_inertia(rest.q)))
     way, spare = np.abs(task.way), np.abs(own.levers_at(rest.q)) * (task.limits.efforts - np.abs(rest.effort))
-    times = [2 * np.sqrt(2 * inertia * way / spare), 1.5 * way / task.limits.rates]
-    return float(np.max(times))
+    driven = task.limits.efforts > 0
+    times = [2 * np.sqrt(2 * (inertia * way)[driven] / spare[driven]), 1.5 * way / task.limits.rates]
+    return float(np.concatenate(times).max()) or 1.0

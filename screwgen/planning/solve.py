@@ -22,6 +22,8 @@ LEFT, MOST_STRICT = 2e-5, 1e9
 """What may be left of the energy of a motion, and the largest weight of it."""
 ROUNDS = 5
 """How often a motion is sought again for limits that it passes between its points; it is unsound if it still does."""
+INTERRUPTED = ("User_Requested_Stop", "NonIpopt_Exception_Thrown")
+"""What the solver says where a signal has ended it, in a callback or between; it keeps the exception to itself."""
 Progress = Callable[[int, int], None]
 
 
@@ -78,6 +80,8 @@ def solve(
     solver = ca.nlpsol("plan", "ipopt", problem, options)
     result = solver(**numbers)
     stats = solver.stats()
+    if stats["return_status"] in INTERRUPTED:
+        raise KeyboardInterrupt
     if progress is not None:
         counter.end()
     found, efforts = made.values(result["x"])

@@ -30,6 +30,8 @@ class TipPath:
     """Of times from 0 to `time`."""
     time: float
     """s."""
+    turn: float = 0.0
+    """The angle of an arc, rad."""
 
     def __call__(self, t: np.ndarray) -> np.ndarray:
         return self.curve(np.clip(np.asarray(t, float), 0.0, self.time))
@@ -43,7 +45,8 @@ def eased(s: np.ndarray) -> np.ndarray:
 def shaped(stated: TipPathFile) -> TipPath:
     """The path that a file states; the tip goes along it from rest to rest, eased."""
     shape = _arc(stated.circle) if stated.circle is not None else _line(stated.line)
-    return TipPath(lambda t: shape(eased(t / stated.time)), stated.time)
+    turn = 0.0 if stated.circle is None else stated.circle.angle
+    return TipPath(lambda t: shape(eased(t / stated.time)), stated.time, turn)
 
 
 def _arc(circle: CircularPath) -> Callable[[np.ndarray], np.ndarray]:

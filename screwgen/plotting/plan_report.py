@@ -17,11 +17,10 @@ from ..arguments import Given
 from ..planning.drive_coordinates import DriveCoordinates
 from ..planning.limits import motion_limits
 from ..planning.make import scaled
-from ..planning.plan import MotionPlan
+from ..planning.plan import MotionPlan, PlanWarning
 from ..planning.task import MotionLimits
 from ..robot_model import RobotModel
 from ..simulation.arrival import Arrival, play
-from ..simulation.played import PlanWarning
 from ..simulation.robustness import FACTORS, Robustness, robustness, usual
 
 PlannedPath = Callable[[np.ndarray], np.ndarray]
@@ -53,7 +52,7 @@ class PlanReport:
     @property
     def measured(self) -> str:
         """What is asked of runs with errors of the model."""
-        return "residual of the tip" if self.path is None else "largest distance of the tip from its path"
+        return "residual of the tip" if self.path is None else "largest distance from the path"
 
     def off_path(self, arrived: Arrival) -> np.ndarray:
         """(samples,), m: how far the tip of a run is from its path."""

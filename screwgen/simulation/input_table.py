@@ -54,6 +54,7 @@ def read_table(path: str | os.PathLike[str], names: Sequence[str]) -> tuple[np.n
     if len(lines) < 2:
         raise UsageError(f"{file}: has no rows; write a head, {','.join(known[:3])}, and a row for every time")
     (_, head), *lines = lines
+    refuse_separators(file, head)
     for name in head:
         if name not in known:
             raise UsageError(f"{file}: column '{one_line(name)}' {unknown(name, known)}")
@@ -67,6 +68,13 @@ def read_table(path: str | os.PathLike[str], names: Sequence[str]) -> tuple[np.n
     if (wrong := np.flatnonzero(np.diff(t) <= 0)).size:
         _refuse(file, lines[wrong[0] + 1][0], f"t is {t[wrong[0] + 1]:g} s; it must be later than in the row before")
     return t, columns
+
+
+def refuse_separators(file: str, head: Sequence[str]) -> None:
+    """Refuse a head whose names are not apart by commas."""
+    for apart, said in ((";", "semicolons"), ("\t", "tabs")):
+        if len(head) == 1 and apart in head[0]:
+            raise UsageError(f"{file}: has {said} between its columns; write commas, and decimals with a point")
 
 
 def _numbers(file: str, number: int, head: Sequence[str], row: Sequence[str]) -> list[float]:

@@ -13,7 +13,7 @@ from ..arguments import Numbers
 from ..errors import UsageError, one_line
 from ..planning.drive_coordinates import DriveCoordinates
 from ..planning.members import Still
-from ..planning.plan import MotionPlan
+from ..planning.plan import MotionPlan, PlanWarning
 from ..planning.plan_files import read_plan
 from ..planning.task import JointLaw
 from ..robot_model import RobotModel
@@ -24,10 +24,6 @@ if TYPE_CHECKING:
 
 AWAY = 1e-6
 """How far from its start, rad or m, a plan may be played without a word."""
-
-
-class PlanWarning(UserWarning):
-    """A plan that is played from another state than its own, or by another robot; one line meant for a user."""
 
 
 @dataclass(frozen=True)

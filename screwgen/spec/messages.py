@@ -71,7 +71,8 @@ def reason(record: Any, root: type[BaseModel]) -> str:
             field = model_at(root, above).model_fields[last]
             return f"is missing; state {field.description}"
         case "extra_forbidden":
-            return unknown(str(last), known_keys(model := model_at(root, above)), inner_keys(model))
+            known, inner = known_keys(model := model_at(root, above)), inner_keys(model)
+            return outside(str(last), known, root, tuple(above)) or unknown(str(last), known, inner)
         case "model_type":
             keys = ", ".join(known_keys(model_at(root, record["loc"])))
             return f"is {shown(record['input'])}; it must be a table of {keys}"
@@ -88,6 +89,15 @@ def unknown(name: str, known: tuple[str, ...], inner: dict[str, str] | None = No
     near = difflib.get_close_matches(name.lower()[:MAX_LENGTH], lowered, n=1)
     suggestion = f"did you mean {lowered[near[0]]}? " if near else ""
     return f"is an unknown key; {suggestion}known here: {', '.join(known)}"
+
+
+def outside(name: str, known: tuple[str, ...], root: type[BaseModel], above: Path) -> str:
+    """What to say of a key of one of the tables around, behind whose sub-table it stands in a TOML file; else ""."""
+    for i in reversed([i for i, part in enumerate(above) if isinstance(part, str)]):
+        if name in known_keys(model_at(root, above[:i])):
+            where = f"in {key_path(above[:i])}, above its table {above[i]}" if i else f"at the top, above {above[i]}"
+            return f"is an unknown key here; it belongs {where}; known here: {', '.join(known)}"
+    return ""
 
 
 def known_keys(model: type[BaseModel]) -> tuple[str, ...]:

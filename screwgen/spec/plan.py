@@ -34,6 +34,8 @@ def _efforts(value: Any) -> tuple[float, ...]:
 
 
 def _time(value: Any) -> float | str:
+    if isinstance(value, str) and value != SHORTEST:
+        raise refuse(f'is {shown(value)}; it must be a number of s, or "{SHORTEST}"')
     return SHORTEST if value == SHORTEST else positive(value)
 
 
@@ -100,7 +102,9 @@ class PlanFile(Part):
     through: Annotated[tuple[dict[str, Any], ...], PlainValidator(_through)] = Field(
         (), description="joint coordinates q that are passed between, and t, s, where the time is stated"
     )
-    time: Annotated[float | str, PlainValidator(_time)] = Field(description='s, or "shortest"')
+    time: Annotated[float | str, PlainValidator(_time)] = Field(
+        description='the time that the motion takes, s, or "shortest"'
+    )
     gains: str | None = Field(None, description="the file of the joint law under which the plan is played")
     intervals: Annotated[int, PlainValidator(whole(LEAST, LARGEST))] = Field(INTERVALS, description="of the time")
     limits: PlanLimits = Field(PlanLimits(), description="limits of the joints")

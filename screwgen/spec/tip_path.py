@@ -61,7 +61,7 @@ class StraightPath(Part):
 class TipPathFile(Part):
     """A path of the tip from rest to rest, of one shape."""
 
-    time: Annotated[float, PlainValidator(positive)] = Field(description="s")
+    time: Annotated[float, PlainValidator(positive)] = Field(description="the time that the tip takes, s")
     circle: CircularPath | None = Field(None, description="an arc about an axis")
     line: StraightPath | None = Field(None, description="in its place a straight line")
 

@@ -119,7 +119,7 @@ class CompliantFunctions:
             out.append(force.shape.kind.soft_row(row, **keys))
         return out
 
-    def _lines(self, tips: Sequence[loops.Tip]) -> dict[ClosingRow, loops.StretchedLine]:
+    def _lines(self, tips: Sequence[loops.Tip]) -> dict[ClosingRow, loops.LineState]:
         """The lines whose lengths are among the rows."""
         return {
             one.closing: self._line(one.force, tips)
@@ -127,7 +127,7 @@ class CompliantFunctions:
             if isinstance(one.closing.row, Length)
         }
 
-    def _line(self, force: PlacedForce, tips: Sequence[loops.Tip]) -> loops.StretchedLine:
+    def _line(self, force: PlacedForce, tips: Sequence[loops.Tip]) -> loops.LineState:
         a, b = (self._end(force, i, tips) for i in force.ends)
         found = self.apply(force.tips[-1], -1, span(), {"d": list(b.r - a.r), "rate": list(b.v - a.v)})
         n, gamma = mx.array(found["n"]), found["gamma"][0]
@@ -137,7 +137,7 @@ class CompliantFunctions:
                 gamma = gamma - sign * mx.dot(n, mx.array(list(self.world[:3])))
             else:
                 wrenches[i] = np.concatenate([mx.zeros(3), sign * n])
-        return loops.StretchedLine(found["length"][0], wrenches, gamma)
+        return loops.LineState(found["length"][0], wrenches, gamma)
 
 
 @cache

@@ -101,7 +101,7 @@ def _power(wrenches: Mapping[int, Array], torques: Mapping[int, Value], motion: 
     return sum(parts[1:], parts[0])
 
 
-class StretchedLine(NamedTuple):
+class LineState(NamedTuple):
     """A line between two points: its length, the wrenches of a unit force that makes it longer, and γ."""
 
     length: Value
@@ -109,12 +109,10 @@ class StretchedLine(NamedTuple):
     gamma: Value
 
 
-def row_at(
-    closing: ClosingRow,
-    tips: Sequence[Tip],
-    axes: Axes,
-    lines: Mapping[ClosingRow, StretchedLine] = MappingProxyType({}),
-) -> ConstraintRow:
+NO_LINES: Mapping[ClosingRow, LineState] = MappingProxyType({})
+
+
+def row_at(closing: ClosingRow, tips: Sequence[Tip], axes: Axes, lines: Mapping = NO_LINES) -> ConstraintRow:
     """A row in a state of all tips and axes; ``lines``: those whose rows are lengths."""
     row, c = closing.row, closing.stabilisation
     wrenches: Mapping[int, mx.Array] = {}
@@ -220,7 +218,7 @@ class LoopState:
         axes: Axes,
         rotations: Sequence,
         rows: Sequence[ClosingRow] | None = None,
-        lines: Mapping[ClosingRow, StretchedLine] = MappingProxyType({}),
+        lines: Mapping[ClosingRow, LineState] = NO_LINES,
     ):
         self.chain, self.tips, self.axes, self.rotations = chain, tips, axes, rotations
         self.rows = [row_at(c, tips, axes, lines) for c in (chain.closing.rows if rows is None else rows)]

@@ -51,7 +51,7 @@ def test_without_bound_of_stiffness_it_is_a_pendulum(method, order, slack):
 
 @pytest.mark.parametrize("slack", [False, True])
 @pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("stiffness", [1e3, 1e6, 1e12])
+@pytest.mark.parametrize("stiffness", [1e3, 1e12])
 def test_energy_never_grows_over_a_hundred_thousand_steps(stiffness, method, slack):
     """A body without weight turns about a point on a stretched line, whose energy swings a little by the methods."""
     model = load({"stiffness": stiffness, "slack": slack}, gravity=0.0)

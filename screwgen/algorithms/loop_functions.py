@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from typing import Self
 
@@ -204,12 +204,19 @@ class LoopFunctions:
         """The inertia of the coordinates that integrators give theirs."""
         return columns(self.chain, self.constants)["M_eta"]
 
-    def loop_state(self, q: Sequence, v: Sequence, rows: Sequence[ClosingRow] | None = None) -> loops.LoopState:
-        """The loops in a state; ``rows``: other rows than those that close the tree."""
+    def loop_state(
+        self,
+        q: Sequence,
+        v: Sequence,
+        rows: Sequence[ClosingRow] | None = None,
+        lines: Callable[[Sequence[loops.Tip]], Mapping] = lambda tips: {},
+    ) -> loops.LoopState:
+        """The loops in a state; ``rows``: other rows than those that close the tree, ``lines``: those among these."""
         links, tips = self._moving_tips(q, v)
         axes = loops.Axes(self.chain.of_joints(q), self.chain.of_joints(v, rates=True))
         axes = axes._replace(
             curves={row: self._curve(second, row, axes.q) for second, row in self.chain.closing.related}
         )
         with self.section("loops: gaps, their rates and what their accelerations are without those of the tips"):
-            return loops.LoopState(self.chain, tips, axes, [mx.array(link["R"], (3, 3)) for link in links], rows)
+            rotations = [mx.array(link["R"], (3, 3)) for link in links]
+            return loops.LoopState(self.chain, tips, axes, rotations, rows, lines(tips))

@@ -22,6 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..interactions import Length
 from ..ir.derivative import tangents
 from ..ir.program import Array, Program, Tracer, Value, Vector
 from ..joints.constraints import Alignment, Angle, Distance, Ratio
@@ -100,15 +101,28 @@ def _power(wrenches: Mapping[int, Array], torques: Mapping[int, Value], motion: 
     return sum(parts[1:], parts[0])
 
 
-def row_at(closing: ClosingRow, tips: Sequence[Tip], axes: Axes) -> ConstraintRow:
-    """A row in a state of all tips and axes."""
+class LineState(NamedTuple):
+    """A line between two points: its length, the wrenches of a unit force that makes it longer, and γ."""
+
+    length: Value
+    wrenches: Mapping[int, Array]
+    gamma: Value
+
+
+NO_LINES: Mapping[ClosingRow, LineState] = MappingProxyType({})
+
+
+def row_at(closing: ClosingRow, tips: Sequence[Tip], axes: Axes, lines: Mapping = NO_LINES) -> ConstraintRow:
+    """A row in a state of all tips and axes; ``lines``: those whose rows are lengths."""
     row, c = closing.row, closing.stabilisation
-    wrenches: dict[int, mx.Array] = {}
+    wrenches: Mapping[int, mx.Array] = {}
     torques: Mapping[int, Value] = {}
     gamma: Value = 0.0
     if isinstance(row, Ratio):
         gap, torques = _ratio_gap(row, axes), _torques(row, axes)
         gamma = -row.ratio * (axes.curve(row)[2] * axes.qdot[row.of] * axes.qdot[row.of]) if row.relation else 0.0
+    elif isinstance(row, Length):
+        gap, wrenches, gamma = lines[closing]
     else:
         a, b = tips[closing.first], tips[closing.second]
         gap, *both, gamma = _distance(row.normal, a, b) if isinstance(row, Distance) else _angle(row, a, b)
@@ -194,7 +208,8 @@ class Loads(NamedTuple):
 
 
 class LoopState:
-    """The loops of a chain in a state; `rotations`: those of F_i of all links; `rows`: else those that close it."""
+    """The loops of a chain in a state; `rotations`: of F_i of all links; `rows`: else those that close it; `lines`: of
+    which lengths are among these."""
 
     def __init__(
         self,
@@ -203,9 +218,10 @@ class LoopState:
         axes: Axes,
         rotations: Sequence,
         rows: Sequence[ClosingRow] | None = None,
+        lines: Mapping[ClosingRow, LineState] = NO_LINES,
     ):
         self.chain, self.tips, self.axes, self.rotations = chain, tips, axes, rotations
-        self.rows = [row_at(c, tips, axes) for c in (chain.closing.rows if rows is None else rows)]
+        self.rows = [row_at(c, tips, axes, lines) for c in (chain.closing.rows if rows is None else rows)]
 
     def accelerations(self, links: Sequence[Mapping], places: Sequence[Mapping[str, Sequence]]) -> TipsAndAxes:
         """[angular; of the point, less free fall] of all tips, and of all axes, after forward dynamics."""

@@ -113,6 +113,24 @@ class Relative(NamedTuple):
     omega: Vector
 
 
+class SoftRow(NamedTuple):
+    """A number of the two frames, their ``gap``, that a spring and a damper pull back to ``rest``.
+
+    The force against it is ``stiffness (gap - rest) + damping (rate - speed)``; of one that is ``slack`` only where
+    stretch and force are positive. Implicit steps take it at their end, however stiff it is.
+    """
+
+    stiffness: Value
+    damping: Value
+    rest: Value = 0.0
+    speed: Value = 0.0
+    slack: bool = False
+
+
+ROWS = "rows"
+"""The key of the gaps that implicit steps take at their end, among what programs of a force are made from."""
+
+
 class WrenchOnSecond(NamedTuple):
     """What acts on the second frame at its origin, in the first frame's axes: N·m and N, (3,) each."""
 
@@ -179,6 +197,11 @@ class Interaction:
     def energy(t: Any, x: Relative, **keys: Any) -> Value:
         """The potential, J; none by default."""
         return 0.0
+
+    @staticmethod
+    def soft_row(row: Any, **keys: Any) -> SoftRow:
+        """The law of a gap ``row`` that implicit steps take at their end; of a kind whose shape has ``ROWS``."""
+        raise NotImplementedError
 
     @staticmethod
     def rates(t: Any, x: Relative, **keys: Any) -> Mapping[str, StateRate]:

@@ -5,6 +5,8 @@ stiffness pulls where it is longer than its rest length, and never pushes. With 
 line is paid out: ``T = k (l - rest - paid_out) + c (dl/dt - speed)``. The speed is an input of its own, for between two
 samples nobody knows the rate of a length, and both the damping and the power of the winch need it.
 
+A stiff line limits the step; with `implicit` steps by implicit methods take its pull at their end.
+
 With a `relaxation` a second spring lies beside the first, in series with a damper: what plastics and ropes do that are
 held stretched. Its stretch is a state, ``dz/dt = dl/dt - z/relaxation_time``, its pull ``relaxation z``.
 """
@@ -12,18 +14,21 @@ held stretched. Its stretch is a state, ``dz/dt = dl/dt - z/relaxation_time``, i
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from .interaction import (
     FORCE,
     POTENTIAL,
+    ROWS,
     ForceInput,
     ForceState,
     Interaction,
+    InteractionClass,
     LawEquation,
     Relative,
     ReportedQuantity,
+    SoftRow,
     StateRate,
     Value,
     WrenchOnSecond,
@@ -34,6 +39,11 @@ from .vectors import dot
 
 SHORTEST = 1e-24
 """m²: added to the square of the length, so that the direction of a line between points that coincide is no 0/0."""
+
+
+@dataclass(frozen=True)
+class Length:
+    """The distance of two points, the gap of a line that implicit steps take at their end."""
 
 
 @dataclass(frozen=True)
@@ -71,6 +81,12 @@ class SpringLine(Interaction):
     )
     slack: bool = choice("whether it hangs slack where it is shorter than its rest length, as a rope")
     winch: bool = choice("whether a winch changes its rest length, by two inputs: the line paid out and its rate")
+    implicit: bool = choice("whether implicit steps take it at their end, as a stiff one needs")
+
+    @property
+    def shape(self) -> InteractionClass:
+        own = super().shape
+        return replace(own, structure=((ROWS, (Length(),)),)) if self.implicit else own
 
     @staticmethod
     def has_states(has: Collection[str]) -> bool:
@@ -89,7 +105,16 @@ class SpringLine(Interaction):
             return other, "is missing beside the other of relaxation, N/m, and relaxation_time, s; state both or none"
         if self.winch and self.relaxation is not None:
             return "winch", "is stated beside relaxation; a line that relaxes has no winch yet; leave one of them out"
+        if self.implicit and self.relaxation is not None:
+            return (
+                "implicit",
+                "is stated beside relaxation; a line that relaxes is not taken so yet; leave one of them out",
+            )
         return None
+
+    @staticmethod
+    def soft_row(row: Any, **keys: Any) -> SoftRow:
+        return SoftRow(*(keys[name] for name in ("stiffness", "damping", "rest", "speed", "slack")))
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> WrenchOnSecond:

@@ -10,15 +10,12 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ..interactions import Interaction, InteractionClass, Relative, WrenchOnSecond, number
+from ..interactions import ROWS, Interaction, InteractionClass, Relative, SoftRow, WrenchOnSecond, number
 from ..interactions.vectors import Value, Vector, cross, dot
 from .constraints import Angle, Distance
 
 BlockedMotion = Distance | Angle
 """A row of a joint that blocks a motion."""
-ROWS = "rows"
-"""The key of the rows among what its programs are made from."""
-
 
 ALONG, ABOUT = "along blocked axes", "about blocked axes"
 UNITS = {ALONG: ("N/m", "N·s/m"), ABOUT: ("N·m/rad", "N·m·s/rad")}
@@ -66,6 +63,10 @@ class CompliantJoint(Interaction):
             along = force if isinstance(row, Distance) else torque
             along[:] = [a + n * size for a, n in zip(along, way, strict=True)]
         return WrenchOnSecond(torque, force)
+
+    @staticmethod
+    def soft_row(row: Any, **keys: Any) -> SoftRow:
+        return SoftRow(*of_row(row, keys))
 
     @staticmethod
     def energy(t: Any, x: Relative, **keys: Any) -> Value:

@@ -187,7 +187,7 @@ class Linearised:
         if self._known_rows is None or self._known_rows.h != h:
             heavy, brakes = self._balance.over(self._inertia_over(h)), self._balance
             answers = lambda J: prescribed.answers(self.model.chain, heavy, brakes.share[:, None] * J.T)  # noqa: E731
-            self._known_rows = LinearisedRows.of(self.numeric, self.q, h, answers)
+            self._known_rows = LinearisedRows.of(self.numeric, self.q, self.tau, h, answers)
         return self._known_rows
 
     def _felt(self, h: float) -> np.ndarray:

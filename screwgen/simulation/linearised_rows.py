@@ -1,4 +1,4 @@
-"""The rows of loops whose joints give way in a linearised motion, as implicit steps take them."""
+"""The rows of stiff lines and of loops whose joints give way in a linearised motion, as implicit steps take them."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ class LinearisedRows(NamedTuple):
 
     @classmethod
     def of(
-        cls, numeric: Numeric, q: np.ndarray, h: float, answers: Callable[[np.ndarray], np.ndarray]
+        cls, numeric: Numeric, q: np.ndarray, tau: np.ndarray, h: float, answers: Callable[[np.ndarray], np.ndarray]
     ) -> LinearisedRows:
         """``answers (J) -> (nv, rows)``: what unit forces of rows accelerate over the step."""
-        J, k, c = compliance(numeric, q)
+        J, k, c = compliance(numeric, q, tau)
         free = held = answers(J)
         if numeric.chain.closing.rows:
             closing = numeric.gap_slopes(q)

@@ -218,7 +218,7 @@ def rolled(model: RobotModel, given: Mapping[str, np.ndarray], count: int, how: 
     for k in refused:
         status[k], done[k], fault[k], q[k], v[k] = REFUSED, 0, -1, q[k, 0], v[k, 0]
     t = step * np.arange(periods + 1)
-    found = watched(model, given, t, q, v), refused, Source(model, given, how.settling)
+    found = watched(model, given, t, q, v, how.settling), refused, Source(model, given, how.settling)
     return Rollout(t, q, v, status, done, fault, tuple(model.chain.names), *found)
 
 

@@ -19,11 +19,12 @@ the joints turn fastest."""
 
 
 def watched(
-    model: RobotModel, given: Mapping[str, np.ndarray], t: np.ndarray, q: np.ndarray, v: np.ndarray
+    model: RobotModel, given: Mapping[str, np.ndarray], t: np.ndarray, q: np.ndarray, v: np.ndarray, settling: float
 ) -> Validity:
     """The largest measures of a batch of motions `q` (batch, samples, nq), `v` (.., nv) at the times `t` (samples,).
 
-    `given`: `tau`, `w_ext` (batch or 1, periods or 1, numbers), `parameters` (batch or 1, n).
+    `given`: `tau`, `w_ext` (batch or 1, periods or 1, numbers), `parameters` (batch or 1, n); `settling`: as of
+    :meth:`.Method.settling`, s, by which stiff rows bear what the motion needs.
     """
     watch = Watch(model.chain.names)
     count, samples, _ = q.shape
@@ -34,10 +35,13 @@ def watched(
     bending = [_bending(model, i, given["parameters"], q) for i in range(model.n_links)]
     chosen |= {int(np.argmax(size)) for sizes in bending for size in sizes}
     evaluate = CasadiEvaluator(model.casadi()["validity"])
+    settled = CasadiEvaluator(model.modal_functions["settled_rows"]) if model.chain.compliant and settling else None
     at = lambda name, k, j: _of(given[name], k, min(j, samples - 2))  # noqa: E731
     for k, j in sorted((divmod(c, samples) for c in chosen), key=lambda place: place[1]):
-        inputs = (q[k, j], v[k, j], at("tau", k, j), at("w_ext", k, j), _of(given["parameters"], k))
-        watch(t[j], evaluate(*inputs)[0].reshape(-1, len(MEASURES)))
+        state, p, w_ext = (q[k, j], v[k, j], at("tau", k, j)), _of(given["parameters"], k), at("w_ext", k, j)
+        if settled is not None:
+            w_ext = settled(*state, w_ext, np.array(settling), p)[0]
+        watch(t[j], evaluate(*state, w_ext, p)[0].reshape(-1, len(MEASURES)))
     return watch.validity()
 
 

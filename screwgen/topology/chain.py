@@ -102,7 +102,7 @@ class Chain(Coordinates, ChosenInputs):
 
     @cached_property
     def compliant(self) -> tuple[CompliantRow, ...]:
-        """The rows of loops whose joints give way."""
+        """The rows of forces that implicit steps take at their end, as of loops whose joints give way."""
         return compliant_rows(self.forces)
 
     @property

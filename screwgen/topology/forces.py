@@ -8,8 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import UsageError
-from ..interactions import InteractionClass
-from ..joints.compliant import ROWS
+from ..interactions import ROWS, InteractionClass
 from ..spec.forces import WorldPoint
 from ..spec.loops import marked
 from ..spec.robot import Robot
@@ -73,19 +72,18 @@ def placed_forces(robot: Robot, segments: Sequence[Segment]) -> tuple[PlacedForc
 
 @dataclass(frozen=True)
 class CompliantRow:
-    """A row of a loop whose joint gives way, and the force between frames that the joint is."""
+    """A row of a force between frames that implicit steps take at their end, as of a joint that gives way."""
 
     closing: ClosingRow
     force: PlacedForce
 
 
 def compliant_rows(forces: Sequence[PlacedForce]) -> tuple[CompliantRow, ...]:
-    """The rows of all loops whose joints give way, which have no gap to close."""
+    """The rows of all forces that implicit steps take at their end, which have no gap to close."""
     out: list[CompliantRow] = []
     for force in forces:
         for row in dict(force.shape.structure).get(ROWS, ()):
-            first, second = force.tips
-            out.append(CompliantRow(ClosingRow(-1, first, second, row, 0.0, force.name), force))
+            out.append(CompliantRow(ClosingRow(-1, force.tips[0], force.tips[-1], row, 0.0, force.name), force))
     return tuple(out)
 
 

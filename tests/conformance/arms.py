@@ -72,6 +72,7 @@ COMPLIANT = {"axes": [{"slide": [0.6, 0.0, 0.8]}, "y"], "stiffness": [35.0, 12.0
 STRUT = {"stiffness": 60.0, "rest": 0.2, "damping": 3.0}
 ROPE = {"stiffness": 9.0, "rest": 0.4, "damping": 1.5, "slack": True}
 WINCH = {"stiffness": 40.0, "rest": 0.3, "damping": 2.0, "winch": True}
+TAKEN_LATER = {"rest": 0.25, "slack": True, "implicit": True}
 RELAXING = {"stiffness": 25.0, "rest": 0.3, "damping": 1.0, "relaxation": 35.0, "relaxation_time": 0.2}
 BUSHING = {"stiffness": [40.0, 55.0, 30.0, 6.0, 9.0, 4.0], "damping": [2.0, 1.5, 3.0, 0.2, 0.3, 0.15]}
 FORCES: dict[str, dict] = {
@@ -82,7 +83,7 @@ FORCES: dict[str, dict] = {
         "forces": [
             {"name": "hoist", "between": ["boom.eye", "fore.tip"], "line": WINCH},
             {"name": "strap", "between": ["fore.tip", "boom.eye"], "line": RELAXING},
-            {"name": "mooring", "between": [{"world": [0.2, -0.5, -0.6]}, "boom.eye"], "line": WINCH | {"rest": 0.25}},
+            {"name": "mooring", "between": [{"world": [0.2, -0.5, -0.6]}, "boom.eye"], "line": WINCH | TAKEN_LATER},
         ]
     },
 }

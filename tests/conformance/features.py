@@ -92,7 +92,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "line spring": "a spring and damper between a place along a link and a tip",
         "rope": "a rope from a point of the world to a tip",
         "bushing": "a bushing between a place along a link and a tip",
-        "winch": "lines whose rest lengths winches change, inputs, and one that relaxes, an internal state",
+        "winch": "lines with winches, inputs, one taken at the end of steps, and one that relaxes, an internal state",
     },
     "push": {
         "unpushed": "",

@@ -1,4 +1,4 @@
-"""Loops whose joints give way, on NumPy arrays."""
+"""Stiff lines and loops whose joints give way, on NumPy arrays."""
 
 from __future__ import annotations
 
@@ -9,9 +9,16 @@ from ...arguments import Numbers
 from .numeric import Numeric
 
 
-def compliance(numeric: Numeric, q: Numbers) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Of their rows the rates of the gaps per unit of each entry of v (rows, nv), stiffness and damping (rows,)."""
-    k, c = np.array(numeric._functions(MOTION).stiffness_and_damping(), float).reshape(-1, 2).T
+def compliance(numeric: Numeric, q: Numbers, tau: Numbers) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Of their rows the rates of the gaps per unit of each entry of v (rows, nv), stiffness and damping (rows,).
+
+    A rope that is slack has none.
+    """
+    f = numeric._functions(MOTION)
+    laws = f.under_inputs(list(map(float, tau))).row_laws()
+    lengths = f.row_terms(list(map(float, q)), [0.0] * numeric.chain.nv)[: len(laws)]
+    taut = [not law.slack or length > law.rest for law, length in zip(laws, lengths, strict=True)]
+    k, c = np.array([(x * law.stiffness, x * law.damping) for x, law in zip(taut, laws, strict=True)], float).T
     return numeric.by_rates(lambda functions, q, v: functions.row_terms(q, v)[len(k) :], q), k, c
 
 

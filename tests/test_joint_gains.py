@@ -137,7 +137,7 @@ def test_a_loop_with_an_integral_moves_as_runs_do():
     gains = LoopGains(found.kp, found.kd, found.ki)
     run = screwgen.simulate(model, 3.0, STEP, [0.02], controller=PID(*gains[:2], (0.0,), ki=gains.ki))
     still = Still(model, np.array(model.parameter_values))
-    closed = SampledLoop.of(still, still.held(np.zeros(1)).q, STEP).closed(gains)
+    closed = SampledLoop.of(still, still.held(np.zeros(1)), STEP).closed(gains)
     x, q = np.zeros(len(closed.A)), []
     x[0] = 0.02
     for _ in run.t:

@@ -57,10 +57,11 @@ def test_gains_of_a_rotor_are_the_closed_form_of_a_double_integrator():
 
 def test_a_loop_with_the_filter_moves_as_runs_do(model, law):
     p = np.array(model.parameter_values)
-    still, start = rest(model, [0.0], p), rest(model, [0.0], p)
+    start = rest(model, [0.0], p)
     start[0] = 1e-3
     run = screwgen.simulate(model, 1.5, STEP, start, controller=screwgen.LqgLaw.of(law, [0.0]))
-    plant, gains = SampledLoop.of(Still(model, p), still, STEP), law.at(np.array([0.0, 1.0]))
+    still = Still(model, p)
+    plant, gains = SampledLoop.of(still, still.held(np.zeros(1)), STEP), law.at(np.array([0.0, 1.0]))
     closed = closed_by(plant, gains)
     x, q = np.zeros(len(closed.A)), []
     x[0] = x[6] = 1e-3

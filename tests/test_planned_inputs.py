@@ -71,7 +71,7 @@ def test_behind_an_elastic_gear_the_input_is_the_acceleration_of_the_rotor():
 
 
 def test_brakes_stand_open_and_tendons_slack():
-    """A plan, a path of the tip and a place of it are those of the robot without them, and are played so."""
+    """Gains, a plan, a path of the tip and a place of it are those of the robot without them, and are played so."""
     plain = boom(joint={"armature": [0.3]})
     braked = boom(joint={"armature": [0.3], "brake": {"inertia": 0.3, "time": 0.05}})
     pulled = boom(
@@ -80,6 +80,8 @@ def test_brakes_stand_open_and_tendons_slack():
     )
     law, turn = screwgen.PD((100.0,), (30.0,), (0.0,)), np.array([0.3])
     for model, same in ((braked, plain), (pulled, plain)):
+        kp, kd = zip(*((x.kp[0], x.kd[0]) for x in (screwgen.gains(y, [[0.0]]) for y in (model, same))), strict=True)
+        assert kp[0] == kp[1] and kd[0] == kd[1]
         own, other = (screwgen.plan(x, [0.0], [1.0], 1.2, gains=law, fast=True) for x in (model, same))
         assert np.abs(own.tau - other.tau).max() < 1e-9 * np.abs(own.tau).max()
         arrived = screwgen.play(model, own)
@@ -89,9 +91,8 @@ def test_brakes_stand_open_and_tendons_slack():
 
 
 def test_inputs_that_are_not_known_are_one_line():
-    braked = boom(joint={"armature": [0.3], "brake": {"inertia": 0.3, "time": 0.05}})
-    with pytest.raises(UsageError, match="has brakes, for which there is no search for gains yet"):
-        screwgen.gains(braked, [[0.0]])
+    with pytest.raises(UsageError, match="has axes whose motion is given, for which there is no search for gains yet"):
+        screwgen.gains(moved(), [[0.0]])
     with pytest.raises(UsageError, match="has axes whose motion is given, for which there is no scheduled shaper"):
         screwgen.shape(moved(), [-1.0], [1.0])
 

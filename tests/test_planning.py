@@ -76,8 +76,8 @@ def test_a_plan_of_few_intervals_leaves_the_law_what_it_takes(monkeypatch):
     arrived = screwgen.play(model, plan, step=2.5e-4)
     assert arrived.saturated == 0 and 8.4 < arrived.effort[0] < 8.5 and plan.effort[0] < 0.96 * 8.5
 
-    def only_said(task, member, found, search):
-        said.append(efforts_with_law(task, member, found))
+    def only_said(task, members, found, search):
+        said.append(efforts_with_law(task, members[0], found))
         return found
 
     monkeypatch.setattr("screwgen.planning.make.within_efforts", only_said)
@@ -94,7 +94,7 @@ def test_the_shortest_plan_leaves_the_law_what_it_takes(monkeypatch):
     plan = screwgen.plan(model, [0.0], [1.0], "shortest", **asked)
     arrived = screwgen.play(model, plan, step=2.5e-4)
     assert arrived.saturated == 0 and 0.97 * 8.5 < arrived.effort[0] < 8.5
-    monkeypatch.setattr("screwgen.planning.make.within_efforts", lambda task, member, found, search: found)
+    monkeypatch.setattr("screwgen.planning.make.within_efforts", lambda task, members, found, search: found)
     bare = screwgen.plan(model, [0.0], [1.0], "shortest", **asked)
     assert bare.time < plan.time < 1.05 * bare.time
     assert screwgen.play(model, bare, step=2.5e-4).saturated > 100
@@ -127,6 +127,15 @@ def test_an_interruption_ends_the_search():
         screwgen.plan(
             one_mode(), [0.0], [1.0], 1.2, progress=lambda i, _: i == 2 and signal.raise_signal(signal.SIGINT)
         )
+
+
+def test_a_robust_plan_leaves_the_law_what_it_takes_of_every_model():
+    """The heavier arm saturates its drive for 87 samples where the first model alone is followed."""
+    model, law = model_of(loaded_boom({"rhoA": 0.6})), screwgen.PD((60.0,), (12.0,), (0.0,))
+    asked = {"gains": law, "limits": {"efforts": [9.5]}, "intervals": 12, "models": [{"*.mass": 1.2}]}
+    plan = screwgen.plan(model, [0.0], [1.0], 1.0, **asked)
+    arrived = screwgen.play(model, plan, step=2.5e-4, parameters={"rod.bodies[0].mass": 1.2})
+    assert arrived.saturated == 0 and 9.3 < arrived.effort[0] < 9.5
 
 
 def smooth(plan):

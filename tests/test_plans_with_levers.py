@@ -1,9 +1,11 @@
 """Plans of arms whose joints cylinders and four-bar linkages move: judged by power, by statics, by runs of the arm."""
 
+import ctypes
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from clocked_c import ClockedLaw
 from helpers import G, arm, link, model_of
 from scipy.optimize import brentq
 from test_plan_c import OK, Played
@@ -11,6 +13,7 @@ from test_tracking import eased
 
 import screwgen
 from screwgen import UsageError
+from screwgen.planning.members import Still
 
 LENGTH, LOAD, PISTON = 2.4, 150.0, 80.0
 CRANK, BASE, ANGLE = 0.5, 1.1, 1.4
@@ -60,10 +63,9 @@ def test_the_force_of_a_cylinder_is_that_of_newtons_law():
     """Of a rigid stick: the weight and inertia of the load over the lever, and the piston that moves along."""
     plan = screwgen.plan(lifted(CYLINDER, rigid=True), [-0.4], [0.5], 1.5, gains=LAW, fast=True)
     q, v, a, h = plan.q[:, 0], plan.v[:, 0], plan.vdot[:, 0], 1e-4
-    lever = (length(q + h) - length(q - h)) / (2 * h)
     bend = (length(q + h) - 2 * length(q) + length(q - h)) / h**2
     torque = LOAD * LENGTH**2 * a + LOAD * G * LENGTH * np.cos(q)
-    force = torque / lever + PISTON * (lever * a + bend * v**2)
+    force = torque / lever(q) + PISTON * (lever(q) * a + bend * v**2)
     assert np.abs(plan.tau[:, 0] - force).max() < 1e-6 * plan.effort[0]
 
 
@@ -94,7 +96,6 @@ def test_an_elastic_cylinder_begins_with_the_stretch_of_its_oil():
     model = lifted(CYLINDER | OIL, rigid=True)
     plan = screwgen.plan(model, [-0.4], [0.5], 1.5, gains=LAW, fast=True)
     joint, stretch = screwgen.play(model, plan).run.q[0]
-    lever = lambda q: BASE * CRANK * np.sin(q + ANGLE) / length(q)  # noqa: E731
     held = lambda q: LOAD * G * LENGTH * np.cos(q) / lever(q)  # noqa: E731
     sagged = brentq(lambda q: OIL["stiffness"] * (length(-0.4) - length(q)) - held(q), -0.6, -0.3)
     assert joint == pytest.approx(sagged, rel=1e-6) and stretch == pytest.approx(length(-0.4) - length(joint), rel=1e-9)
@@ -127,9 +128,77 @@ def test_a_dead_centre_is_one_line():
         screwgen.plan(lifted(CYLINDER), [-ANGLE], [0.5], 1.5, gains=LAW, fast=True)
 
 
-def test_gains_behind_a_lever_are_not_sought():
-    with pytest.raises(UsageError, match="has transmissions, for which there is no search for gains yet"):
-        screwgen.gains(lifted(CYLINDER), [[0.0]])
+def lever(q):
+    """The slope of the length."""
+    return BASE * CRANK * np.sin(q + ANGLE) / length(q)
+
+
+@pytest.mark.parametrize("kind", ["cylinder", "elastic four-bar"])
+def test_gains_and_shapers_behind_a_lever_know_how_it_changes(kind):
+    """Poles of the loop are those of the exact slopes of accelerations under the forces that hold the arm."""
+    model, at = lifted(DRIVES[kind]), -0.3
+    still = Still(model, np.array(model.parameter_values))
+    rest, n = still.held(np.array([at])), model.nq
+    q = still.drives.to_robot(rest.q)
+    linear = model.linearise(q, tau=rest.effort / still.drives.effort_ratios)
+    shaped = screwgen.shape(model, [at], [at], gains=LAW, modes=2)
+    controller = replace(LAW, q_des=(at,)).through(model.chain, model.parameter_values)
+    x, h = np.append(q, 0.0 * q), 1e-6 * np.eye(2 * n)
+    slopes = [(controller(0.0, *np.split(x + e, [n])) - controller(0.0, *np.split(x - e, [n]))) / 2e-6 for e in h]
+    poles = np.linalg.eigvals(linear.A + linear.B[:, :1] @ np.transpose(slopes))
+    found, damping = (x.ravel() for x in shaped.vibrations([]))
+    wanted = 2 * np.pi * found * (-damping + 1j * np.sqrt(1 - damping**2))
+    assert np.abs(wanted[:, None] - poles).min(axis=1) == pytest.approx([0.0, 0.0], abs=1e-5 * np.abs(wanted).max())
+    assert "closed loop" in shaped.vibrates and (np.diff(found) > 0).all()
+
+
+def test_forces_after_a_jump_are_those_of_a_run():
+    """Of the cylinder, in the posture where its lever is shortest; gains that would take more are not found."""
+    model, jump, most = lifted(CYLINDER), 0.01, 1.25e4
+    bounds = {"jump": [jump], "efforts": [most]}
+    found = screwgen.gains(model, [[-0.4], [0.5]], bounds=bounds)
+    assert found.jump_efforts[0] <= most * (1 + 1e-4) and found.decay > 3
+    reached = []
+    for at in (-0.4, 0.5):
+        still = Still(model, np.array(model.parameter_values))
+        rest = still.held(np.array([at]))
+
+        def law(t, q, v, at=at, held=rest.effort[0]):
+            return held + (found.kp * (at + jump - q[:1]) - found.kd * v[:1]) / lever(q[0])
+
+        run = screwgen.simulate(model, 1.5, found.step, rest.q, controller=law)
+        reached.append(np.abs(run.tau).max())
+    assert max(reached) == pytest.approx(found.jump_efforts[0], rel=0.01)
+
+
+@pytest.mark.parametrize("integral", [False, True])
+def test_c_of_gains_takes_the_lever(tmp_path, integral):
+    """It gives the forces of the controller, also at the limit and where pushing turns the joint back."""
+    found = screwgen.gains(lifted(CYLINDER, effort=16e3), [[0.0]], integral=integral)
+    more = {"ki": found.ki} if integral else {}
+    goal = {"q_des": (0.6,), "duration": 0.8, "tau_max": tuple(found.tau_max), "q_start": (-0.4,)}
+    law = (screwgen.PID if integral else screwgen.PD)(found.kp, found.kd, **more, **goal)
+    model, state = lifted(CYLINDER, effort=16e3), {"z": 1} if integral else {}
+    law = law.through(model.chain, model.parameter_values)
+    given = dict.fromkeys(("measured", "rate", "q", "v", "tau", "lever"), 1)
+    c = ClockedLaw(replace(found, robot="boom").c(), tmp_path, "law", state, given)
+    assert c.library.boom_law_start(ctypes.byref(c.state)) == OK
+    rng, clipped = np.random.default_rng(4), 0
+    for k in range(1000):
+        t, y = k * found.step, float(rng.choice([-1.0, 1.0]) * 0.2 - ANGLE + rng.choice([0.9, -0.9]))
+        w = float(rng.normal())
+        wanted = law(t, np.array([y, 0.0, 0.0]), np.array([w, 0.0, 0.0]))
+        c.put(y, w, *law.reference(t), 0.0, float(lever(y)))
+        assert c.sample_put(t) == OK and c.effort[0] == pytest.approx(wanted[0], abs=1e-9 * 16e3)
+        clipped += abs(c.effort[0]) == 16e3
+    assert 10 < clipped < 1000
+    c.put(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    assert c.sample_put(1000 * found.step) == 2, "no lever is no number"
+
+
+def test_gains_in_a_dead_centre_are_refused():
+    with pytest.raises(UsageError, match="its cylinder is in a dead centre, where no force turns the joint"):
+        screwgen.gains(lifted(CYLINDER), [[-ANGLE]])
 
 
 def test_a_tip_is_on_its_path_by_the_force_of_a_cylinder():

@@ -7,7 +7,7 @@ between, and joints that it pushes off their references are brought back by the 
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -28,19 +28,20 @@ SPARE = 0.003
 """The share of a limit that is left for what the finer grid lacks."""
 
 
-def efforts_with_law(task: Task, member: PlannedModel, found: Found) -> np.ndarray:
-    """(n_joints,): the largest efforts, of either sign, of drives that play what was found for a model.
+def efforts_with_law(task: Task, member: PlannedModel, found: Found, i: int = 0) -> np.ndarray:
+    """(n_joints,): the largest efforts, of either sign, of drives of the i-th model that play what was found.
 
     nan where Newton's method ends at no motion on the finer grid.
     """
     m, fine = len(task.start), replace(task, intervals=FINER * task.intervals)
-    motion, efforts = found.motions[0], found.efforts_at_points
-    stretches = motion.q.shape[1] - 1
+    first, efforts = found.motions[0], found.efforts_at_points
+    stretches = first.q.shape[1] - 1
     at = np.linspace(0.0, stretches, 2 * fine.intervals + 1)
     k = np.minimum(at.astype(int), stretches - 1)
-    q, v = Curve(motion.q, motion.v, motion.a, task.time / stretches).at(k, at - k)
-    a, tau = (np.array([np.interp(at, np.arange(stretches + 1), row) for row in x]) for x in (motion.a, efforts))
-    told, moved = np.stack([q[:m], v[:m], tau]), np.stack([q, v, a])
+    between = lambda x: np.array([np.interp(at, np.arange(stretches + 1), row) for row in x])  # noqa: E731
+    references, (q, v) = (Curve(x.q, x.v, x.a, task.time / stretches).at(k, at - k) for x in (first, found.motions[i]))
+    told = np.stack([*(x[:m] for x in references), between(efforts)])
+    moved = np.stack([q, v, between(found.motions[i].a)])
     responding = Responding(fine, member, given=False)
     for _ in range(STEPS):
         followed = responding.follow(moved, told, np.zeros((*told.shape, 0)))
@@ -50,11 +51,11 @@ def efforts_with_law(task: Task, member: PlannedModel, found: Found) -> np.ndarr
     else:
         return np.full(m, np.nan)
     added = task.law.torques(*(told[:2] - moved[:2, :m])) / member.still.levers_at(moved[0])
-    return np.abs(tau + added).max(axis=1)
+    return np.abs(told[2] + added).max(axis=1)
 
 
 def within_efforts(
-    task: Task, member: PlannedModel, found: Found, search: Callable[[Task, Found | None], Found]
+    task: Task, members: Sequence[PlannedModel], found: Found, search: Callable[[Task, Found | None], Found]
 ) -> Found:
     """What was found, or a plan with tighter limits that leaves the law what it takes; that which does so most.
 
@@ -68,7 +69,8 @@ def within_efforts(
     best, least = found, np.inf
     for _ in range(ROUNDS):
         task = task.within(found.time)
-        excess = np.where(limited, efforts_with_law(task, member, found), 0.0)[limited] - (1.0 - SPARE) * most[limited]
+        each = [efforts_with_law(task, member, found, i) for i, member in enumerate(members)]
+        excess = np.max(each, axis=0)[limited] - (1.0 - SPARE) * most[limited]
         worst = float((excess / most[limited]).max())
         if worst < least:
             best, least = found, worst

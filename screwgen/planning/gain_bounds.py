@@ -63,19 +63,20 @@ class GainBounds:
         """(2, n_joints): standard deviations of coordinates and of rates."""
         return np.array([self.noise_q, self.noise_v])
 
-    def largest(self, holding: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def largest(self, holding: np.ndarray, levers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The largest `kp` and `kd` that leave efforts within bounds, as far as one gain alone says.
 
-        `holding` (n_joints,): the largest efforts that hold the arm. A half of the noise's variance is for each gain.
+        `holding` (loops, n_joints): the efforts that hold the arm; `levers`: torques by a unit of effort. A half of the
+        noise's variance is for each gain.
         """
-        spare = self.efforts - holding
+        spare, lever = (self.efforts - holding).min(axis=0), levers.min(axis=0)
         if (short := np.flatnonzero((spare <= 0) & (self.jump > 0))).size:
             j = int(short[0])
-            said = f"entry {j} is {self.efforts[j]:.4g}, and holding the arm takes {holding[j]:.4g}"
+            said = f"entry {j} is {self.efforts[j]:.4g}, and holding the arm takes {holding[:, j].max():.4g}"
             raise UsageError(f"bounds: efforts: {said}; allow more, or leave out the posture")
         with np.errstate(divide="ignore", invalid="ignore"):
-            by_jump = np.where(self.jump > 0, spare / self.jump, np.inf)
-            by_noise = np.where(self.noise > 0, self.noise_efforts / np.sqrt(2) / self.noise, np.inf)
+            by_jump = np.where(self.jump > 0, ((self.efforts - holding) * levers).min(axis=0) / self.jump, np.inf)
+            by_noise = np.where(self.noise > 0, lever * self.noise_efforts / np.sqrt(2) / self.noise, np.inf)
         return np.minimum(np.minimum(self.kp, by_jump), by_noise[0]), np.minimum(self.kd, by_noise[1])
 
 

@@ -18,8 +18,8 @@ from .gain_search import GROWTH, GainSearch
 from .loop_margins import LoopMargin, loop_margins, worst
 from .make import scaled
 from .members import Still
-from .refusals import ROUNDING, refuse_robot
-from .sampled_loop import LoopFigures, LoopGains, SampledLoop, noise_torques, step_efforts
+from .refusals import GIVEN, ROUNDING, refuse_robot
+from .sampled_loop import LoopFigures, LoopGains, SampledLoop, noise_torques, step_torques
 
 STEP = 1e-3
 BAND = 0.025
@@ -57,7 +57,9 @@ class JointGains:
     robot: str
     joints: tuple[str, ...]
     tau_max: np.ndarray
-    """(n_joints,): limits of drives in the robot file, N·m, of slides N, perhaps infinite."""
+    """(n_joints,): limits of drives in the robot file, N·m, of slides and cylinders N, perhaps infinite."""
+    levers: bool = False
+    """Whether drives have transmissions: C is then given their levers."""
 
     @property
     def band(self) -> float:
@@ -146,10 +148,12 @@ def gains(
     after it; `noise_q`, `noise_v` (n_joints,) of sensors and the largest deviations `noise_efforts` of efforts.
 
     Of a joint behind an elastic gear all is said of the rotor: its angle over the ratio, its effort times the ratio.
+    Gains are those of torques at joints where a cylinder or a four-bar linkage moves them, too; efforts are then forces
+    of the cylinder, N, and torques of the crank, with the levers of the postures.
 
     Raises UsageError where no gains are stable, or none keep the bounds.
     """
-    refuse_robot(model, "search for gains", "state gains of your own", more=False)
+    refuse_robot(model, "search for gains", "state gains of your own", [GIVEN])
     m, step = model.n_joints, seconds(step, "the step")
     at = postures_within(model, postures)
     values = model.chain.parameters.vector(parameters)
@@ -159,7 +163,9 @@ def gains(
     own = RestLoops.of(model, ways, at, step)
     richer = with_further_modes(model)
     further = None if richer is None else RestLoops.of(richer, ways, at, step)
-    search = GainSearch(own.loops, own.inertia[:m], BAND / step, limits, integral, limits.largest(own.holding))
+    search = GainSearch(
+        own.loops, own.inertia[:m], BAND / step, limits, integral, limits.largest(own.holding, own.levers)
+    )
     law, efforts, noise = _within_bounds(search, own, limits)
     if further is not None and not search.borne(law, further.loops):
         search = search.beside(further.loops)
@@ -183,6 +189,7 @@ def gains(
         model.robot.name,
         tuple(model.q_names[:m]),
         most,
+        bool(model.chain.travels),
     )
 
 
@@ -208,7 +215,9 @@ class RestLoops:
     inertia: np.ndarray
     """The largest inertias that torques feel, all others free."""
     holding: np.ndarray
-    """(n_joints,): the largest torques that hold the arm."""
+    """(loops, n_joints): the sizes of efforts that hold the arm."""
+    levers: np.ndarray
+    """(loops, n_joints): sizes of torques at joints by a unit of effort, 1 of drives without a transmission."""
 
     @classmethod
     def of(cls, model: RobotModel, ways: Sequence[np.ndarray], postures: np.ndarray, step: float) -> RestLoops:
@@ -216,20 +225,21 @@ class RestLoops:
         stills = [Still(model, p) for p in ways]
         rests = [(still, still.held(q)) for q in postures for still in stills]
         inertia = np.max([np.diag(np.array(still.inertia(rest.q))) for still, rest in rests], axis=0)
-        holding = np.max([np.abs(rest.effort) for _, rest in rests], axis=0)
-        return cls([SampledLoop.of(still, rest.q, step) for still, rest in rests], inertia, holding)
+        holding = np.abs([rest.effort for _, rest in rests])
+        per_torque = np.abs([still.efforts_behind(np.ones(still.joints), rest.q) for still, rest in rests])
+        return cls([SampledLoop.of(still, rest, step) for still, rest in rests], inertia, holding, 1.0 / per_torque)
 
 
 def _within_bounds(search: GainSearch, own: RestLoops, limits: GainBounds) -> tuple[LoopGains, np.ndarray, np.ndarray]:
     """The best gains with the efforts after a jump and by noise, sought with closer bounds until all are kept."""
     for _ in range(ROUNDS):
         law = search.found()
-        efforts, noise = np.zeros_like(own.holding), np.zeros_like(own.holding)
+        efforts, noise = np.zeros((2, own.holding.shape[1]))
         if limits.jump.any():
-            reached = [step_efforts(loop, law, limits.jump, SAMPLES) for loop in own.loops]
-            efforts = own.holding + np.max(reached, axis=0)
+            reached = [step_torques(loop, law, limits.jump, SAMPLES) for loop in own.loops]
+            efforts = (own.holding + reached / own.levers).max(axis=0)
         if limits.noise.any():
-            noise = np.max([noise_torques(loop, law, limits.noise) for loop in own.loops], axis=0)
+            noise = ([noise_torques(loop, law, limits.noise) for loop in own.loops] / own.levers).max(axis=0)
         by_jump = efforts / limits.efforts
         by_noise = np.where(noise > 0, noise / limits.noise_efforts, 0.0)
         if max(by_jump.max(), by_noise.max()) <= 1 + GROWTH:

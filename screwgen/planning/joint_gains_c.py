@@ -28,6 +28,7 @@ def law_files(law: JointGains) -> dict[str, str]:
         "joints": law.joints,
         "step": repr(law.step),
         "summed": law.ki is not None,
+        "levers": law.levers,
         "limits": numbers(np.minimum(law.tau_max, UNLIMITED)),
         **{name: numbers(x) for name, x in gains.items()},
     }

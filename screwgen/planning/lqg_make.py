@@ -20,7 +20,7 @@ from .lqg import Lqg
 from .lqg_design import LqgGains, LqgTuning, RestMatrices, closed_by, designed
 from .make import scaled
 from .members import Still
-from .refusals import refuse_robot
+from .refusals import PLANNED, refuse_robot
 from .sampled_loop import LoopFigures, SampledLoop
 from .scheduling import Grid
 
@@ -54,7 +54,7 @@ def lqg(
     every plane. Of a joint behind an elastic gear all is said of the rotor: its angle over the ratio, its effort times
     the ratio. Raises UsageError where none is.
     """
-    refuse_robot(model, "law with a filter", "state gains of your own", more=False)
+    refuse_robot(model, "law with a filter", "state gains of your own", PLANNED)
     m, step = model.n_joints, seconds(step, "the step")
     values = model.chain.parameters.vector(parameters)
     own = DriveCoordinates(model.chain, values).efforts(model.chain.efforts)
@@ -109,7 +109,7 @@ class LqgArms:
     def _rest(self, model: RobotModel, values: np.ndarray, point: np.ndarray, others: np.ndarray) -> RestMatrices:
         still = Still(model, self.grid.parameters(model, values, point))
         rest = still.held(self.grid.posture(point, others))
-        return RestMatrices(*still.matrices(rest.q), rest.q[model.n_joints :], rest.effort)
+        return RestMatrices(*still.matrices(rest), rest.q[model.n_joints :], rest.effort)
 
 
 @dataclass(frozen=True)

@@ -96,7 +96,7 @@ def plan(
         found = shortest(task, own, search)
     if not fast:
         seek = search if fixed else lambda task, near: shortest(task, own, search, near)
-        found = within_efforts(task, _members(task, calm, ())[0], found, seek)
+        found = within_efforts(task, _members(task, calm, more), found, seek)
         task = task.within(found.time)
     if calm is not own and not fast:
         found = _with_friction(own, found)

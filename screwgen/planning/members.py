@@ -88,8 +88,12 @@ class Still:
         """(n_joints,): what drives bear at rest. Raises UsageError where a transmission is in a dead centre."""
         torque = np.array(self.statics(q)[0]).ravel()[: self.joints]
         torque[self.drives.given] = 0.0
+        return self.efforts_behind(torque, q)
+
+    def efforts_behind(self, torques: np.ndarray, q: np.ndarray) -> np.ndarray:
+        """(n_joints,): what drives give for torques at joints. Raises UsageError in a dead centre."""
         try:
-            return efforts(self.model.chain, torque, q[: self.joints], self.p)
+            return efforts(self.model.chain, torques, q[: self.joints], self.p)
         except SingularError as error:
             raise UsageError(str(error)) from None
 
@@ -124,12 +128,12 @@ class Still:
                 return q
         raise UsageError("no rest was found at an end of the motion; choose another posture, or larger gains")
 
-    def matrices(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Inertia, damping and stiffness of small motions about a rest, joints free and slipping.
+    def matrices(self, rest: AtRest) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Inertia, damping and stiffness of small motions about a rest under its efforts, joints free and slipping.
 
         Dry friction is no damping: its slope at rest holds up to the rate alone that smooths it.
         """
-        return np.array(self.inertia(q)), np.array(self.damping(q)), np.array(self.statics(q)[1])
+        return np.array(self.inertia(rest.q)), np.array(self.damping(rest.q)), self.stiffness(rest.q, rest.effort)
 
     def rigid_inertia(self, q: np.ndarray) -> np.ndarray:
         """(n_joints, n_joints): the inertia that drives move where nothing bends or twists, 1 of given motions."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -25,20 +25,23 @@ GROUPS = {
 }
 """The limits that are left out together to see which of them forbids a motion."""
 ROUNDING = 1e-9
+TRANSMISSIONS, GIVEN = "transmissions", "axes whose motion is given"
+PLANNED = (TRANSMISSIONS, GIVEN, "brakes", "tendons or other inputs")
+"""Features of robots for which there are plans, and not every other tool for motions."""
 
 
 def refuse_robot(
     model: RobotModel,
     what: str = "plan",
     instead: str = "give references of your own",
-    more: bool = True,
+    refused: Container[str] = (),
     loops: bool = False,
 ) -> None:
     """Refuse robots whose coordinates are not those of joints with a drive each, of gears that twist, and of modes.
 
-    ``what``: there is none for them. ``more``: it moves axes with transmissions and of given motion, too, and lets
-    inputs of other kinds stand at 0, so that brakes are open and tendons slack. ``loops``: it takes robots with loops,
-    whose joints follow others.
+    ``what``: there is none for them. ``refused``: of the features above those that it does not have. Inputs of other
+    kinds stand at 0, so brakes are open and tendons slack. ``loops``: it takes robots with loops, whose joints follow
+    others.
     """
     chain = model.chain
     chain.refuse_quaternion_joints(what, instead)
@@ -46,16 +49,16 @@ def refuse_robot(
     if not loops:
         chain.refuse_loops(what, instead)
     others = {
-        "transmissions": bool(chain.travels) and not more,
-        "axes whose motion is given": bool(chain.prescribed) and not more,
+        TRANSMISSIONS: bool(chain.travels),
+        GIVEN: bool(chain.prescribed),
         "inputs that load links": chain.inputs_load_links,
-        "brakes": bool(chain.braked) and not more,
-        "tendons or other inputs": chain.n_tau != chain.n_joints and not more,
+        "brakes": bool(chain.braked),
+        "tendons or other inputs": chain.n_tau != chain.n_joints,
         "internal states": bool(chain.n_internal or chain.n_force_states),
         "no joints": not chain.n_joints,
     }
     for feature, there in others.items():
-        if there:
+        if there and (feature in refused or feature not in PLANNED):
             raise UsageError(f"robot '{model.robot.name}' has {feature}, for which there is no {what} yet; {instead}")
 
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..lazily import linalg
-from .members import Still
+from .members import AtRest, Still
 
 ALIKE = 0.02
 """How far a fast motion may be moved by a loop, times the step, and still be known."""
@@ -61,9 +61,9 @@ class SampledLoop:
     """Poles, 1/s, of open motions that turn by more than half a turn in a step: samples show them as slower ones."""
 
     @classmethod
-    def of(cls, still: Still, q: np.ndarray, step: float) -> SampledLoop:
+    def of(cls, still: Still, rest: AtRest, step: float) -> SampledLoop:
         """About a rest, torques held over a step."""
-        return cls.of_matrices(*still.matrices(q), still.joints, step)
+        return cls.of_matrices(*still.matrices(rest), still.joints, step)
 
     @classmethod
     def of_matrices(cls, M: np.ndarray, D: np.ndarray, K: np.ndarray, joints: int, step: float) -> SampledLoop:
@@ -142,7 +142,7 @@ def _ratio(s: np.ndarray) -> float:
     return float((-s.real / np.maximum(np.abs(s), 1e-300)).min())
 
 
-def step_efforts(loop: SampledLoop, gains: LoopGains, jump: np.ndarray, samples: int) -> np.ndarray:
+def step_torques(loop: SampledLoop, gains: LoopGains, jump: np.ndarray, samples: int) -> np.ndarray:
     """The largest torques (n_joints,), of either sign, after all references jump at once by `jump` (n_joints,)."""
     closed = loop.closed(gains)
     x, most, step = np.zeros(len(closed.A)), np.zeros(len(jump)), closed.transition

@@ -13,7 +13,7 @@ from ..errors import UsageError
 from ..robot_model import RobotModel
 from .make import law_of
 from .members import Still
-from .refusals import refuse_robot
+from .refusals import GIVEN, refuse_robot
 from .sampled_loop import LoopGains
 from .scheduled_shaper import MOST_DEGREE, MOST_MODES, MOST_TERMS, FittedMode, ScheduledShaper
 from .shapers import KINDS, LOCKED, LOOP
@@ -59,7 +59,7 @@ def shape(
 
     Raises UsageError, also where fewer motions swing than are asked for.
     """
-    refuse_robot(model, "scheduled shaper", "take screwgen.shaper with frequencies of your own", more=False)
+    refuse_robot(model, "scheduled shaper", "take screwgen.shaper with frequencies of your own", [GIVEN])
     m, names = model.n_joints, tuple(model.q_names[: model.n_joints])
     kind, modes = choice(kind, KINDS, "kind: there is no"), whole(modes, "modes", 1, MOST_MODES)
     degree = whole(degree, "degree", 0, MOST_DEGREE)

@@ -16,8 +16,10 @@ from .task import Task
 
 MOST = 80
 """Iterations; a plan that there is takes a dozen or two."""
-PRECISION, PIVOTS = 1e-6, 1e-2
-"""The solver's tolerance, and the least pivots of its factors: smaller ones leave wrong signs of curvature."""
+PRECISION, PIVOTS, ORDERING = 1e-6, 1e-2, 4
+"""The solver's tolerance, and the least pivots of its factors: smaller ones leave wrong signs of curvature. The
+ordering of MUMPS is that by PORD: a plan for three models takes a quarter of the time of that which it chooses itself.
+"""
 LEFT, MOST_STRICT = 2e-5, 1e9
 """What may be left of the energy of a motion, and the largest weight of it."""
 ROUNDS = 5
@@ -70,7 +72,8 @@ def solve(
     made = transcribed(task, members, motions[: len(members)], near.efforts)
     options: dict[str, Any] = {
         "print_time": False,
-        "ipopt": {"print_level": 0, "sb": "yes", "max_iter": MOST, "tol": PRECISION, "mumps_pivtol": PIVOTS},
+        "ipopt": {"print_level": 0, "sb": "yes", "max_iter": MOST, "tol": PRECISION}
+        | {"mumps_pivtol": PIVOTS, "mumps_pivot_order": ORDERING},
     }
     problem, numbers = made.programme.problem(), made.programme.numbers()
     if not exact:

@@ -27,11 +27,11 @@ class DampedModes(NamedTuple):
 
 def poles(still: Still, joints: np.ndarray, loop: LoopGains) -> np.ndarray:
     """Rates of growth and angular frequencies, 1/s, of what swings about the rest with the joints at `joints`."""
-    m, q = still.joints, still.held(joints).q
-    M, D, K = still.matrices(q)
+    m, rest = still.joints, still.held(joints)
+    M, D, K = still.matrices(rest)
     K[range(m), range(m)] += np.where(loop.locked, 0.0, loop.kp)
     D[range(m), range(m)] += np.where(loop.locked, 0.0, loop.kd)
-    free = np.append(~loop.locked, np.ones(len(q) - m, bool))
+    free = np.append(~loop.locked, np.ones(len(rest.q) - m, bool))
     n, (M, D, K) = int(free.sum()), (x[np.ix_(free, free)] for x in (M, D, K))
     found = np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, np.hstack([K, D]))]]))
     if n and found.real.max() > GROWTH * np.abs(found).max():

@@ -18,7 +18,7 @@ from ..errors import UsageError
 from ..integrators.method import Method, Move, Stage
 from ..planning.limits import motion_limits
 from ..planning.members import Still
-from ..planning.refusals import refuse_robot
+from ..planning.refusals import PLANNED, refuse_robot
 from ..planning.track import check_limits
 from ..robot_model import RobotModel
 from ..spec.joint import MOTION, TORQUE
@@ -147,7 +147,7 @@ class Feedforward:
 
 def moved_model(model: RobotModel) -> RobotModel:
     """The model of the robot whose axes all move as given, at the same parameters; refuses loops."""
-    refuse_robot(model, "feedforward", "use a joint law alone", more=False)
+    refuse_robot(model, "feedforward", "use a joint law alone", PLANNED)
     return model.once("feedforward", lambda: RobotModel(moved(model.robot)))
 
 

@@ -59,7 +59,9 @@ CHECKS: dict[str, Check] = {
     "identification": Check(uses.identification, "a mass is found again from what a run records"),
     "equilibrium": Check(uses.equilibrium, "where it is found nothing accelerates"),
     "plan": Check(
-        planned.plan, "a planned motion is played as planned, by a law so weak that torques ahead must be right"
+        planned.plan,
+        "a planned motion is played as planned, by a law so weak that torques ahead must be right; poles under it are "
+        "those of exact slopes",
     ),
     "modes": Check(uses.modes, "frequencies and shapes with the joints locked and free"),
     "document": Check(uses.document, "a program that reads its steps alone computes accelerations and wrenches"),

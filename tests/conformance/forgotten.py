@@ -301,6 +301,8 @@ TABLE: list[Mutant] = [
       "return ca.jacobian(self.to_robot(x), x).T @ f", "return f"),
     M("four-bar", "plan", "screwgen/planning/drive_coordinates.py",
       "out[joint] = _slope(travel, given, x[joint])", "out[joint] = 1.0"),
+    M("cylinder", "plan", "screwgen/planning/members.py",
+      "np.array(self.lever_slopes(q)).ravel() * effort", "0.0 * effort"),
     M("friction", "plan", "screwgen/planning/make.py",
       "found = _with_friction(own, found)", "pass"),
     M("elastic gear", "equilibrium", "screwgen/studies/equilibrium.py",

@@ -113,3 +113,10 @@ def test_a_file_asks_for_a_place_of_the_tip(tmp_path, capsys):
         assert main(["plan", *files[:2], "-o", files[2], "--quiet"]) == 2
         *notes, error = capsys.readouterr().err.splitlines()
         assert said in error and ("90 degrees are 1.571" in "".join(notes)) == ("90.0" in text)
+
+
+def test_a_joint_without_inertia_is_named():
+    model = model_of(arm({"name": "rod", "joint": {"axes": ["z"]}, "bodies": [{"at": "base", "mass": 0.0}]}))
+    for tool in (lambda: screwgen.plan(model, [0.0], [1.0], 1.0), lambda: screwgen.gains(model, [[0.0]])):
+        with pytest.raises(screwgen.SingularError, match="nothing resists the joint of link 'rod'; give the link"):
+            tool()

@@ -78,10 +78,15 @@ class Still:
         return ca.Function("strains", [q], [self.model.casadi()["strain"](self.drives.to_robot(q), self.p)])
 
     def held(self, joints: np.ndarray, near: np.ndarray | None = None) -> AtRest:
-        """The rest with the drives where they are said to be."""
+        """The rest with the drives where they are said to be; refuses joints that have no inertia there."""
         q = np.zeros(self.model.nq) if near is None else near.copy()
         q[: self.joints] = joints
         q = self._newton(q, np.zeros(self.joints), np.zeros(self.joints), np.full(self.joints, np.inf))
+        idle = np.diag(np.array(self.inertia(q)))[: self.joints] <= 0.0
+        idle[self.drives.given] = False
+        if idle.any():
+            link = self.model.q_names[int(idle.argmax())].partition(".")[0]
+            raise self.model.chain.unresisted(self.model.chain.names.index(link))
         return AtRest(q, self.bearing(q))
 
     def bearing(self, q: np.ndarray) -> np.ndarray:

@@ -45,7 +45,7 @@ def in_words(report: PlanReport) -> Iterator[Remark]:
     plan, arrived = report.plan, report.first
     behind = arrived.run.t[-1] - plan.time
     moves = f"the tip moves within {_mm(arrived.residual)} mm"
-    yield Remark(f"In the {behind:.2g} s behind the end of the motion, which takes {plan.time:.4g} s, {moves}.")
+    yield Remark(f"In the {behind:.2g} s after the end of the motion, which takes {plan.time:.4g} s, {moves}.")
     if report.path is not None:
         yield Remark(f"On its way it is off its path by {_mm(report.off_path(arrived).max())} mm at most.")
     if len(report.arrivals) > 1:
@@ -123,7 +123,7 @@ def _still(report: PlanReport) -> Context:
     return table(
         ("model", "residual, mm", "joints from the goal, rad or m", "largest effort, N·m or N", "samples saturated"),
         rows,
-        "The residual is the diagonal of the box in which the tip moves behind the end of the motion. What the model "
+        "The residual is the diagonal of the box in which the tip moves after the end of the motion. What the model "
         "does not have, as further modes, is not in it: play the plan on a model that has them, too.",
         {"The distance of the tip from its rest, over time": tip_over_time(report)},
     )

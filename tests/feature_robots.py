@@ -26,16 +26,21 @@ CYLINDER = {"transmission": {"crank": 0.4, "base": 1.2, "angle": -1.5}, "ratio":
 FOUR_BAR = {"transmission": {"four_bar": LINKAGE}, "ratio": 50.0, "rotor_inertia": 1e-3}
 OFFSETS = [[0.0, 0.02, 0.01], [0.0, 0.01, 0.0]]
 SPRING = {"elements": {"spring": {"stiffness": 30.0, "rest": -0.65}}}
+ROPE = {
+    "name": "rope",
+    "between": [{"world": [0.0, 0.0, 3.0]}, "a.tip"],
+    "line": {"stiffness": 1e5, "rest": 2.0, "damping": 9.0, "slack": True, "implicit": True},
+}
 STATIONS = [{"at": s, "rhoA": 2.0 - s, **SOFT} for s in (0.0, 1.0)]
 
 
-def joined(*axes: str, **drive: object) -> dict:
+def joined(*axes: str, soft: dict | None = None, **drive: object) -> dict:
     """A parallelogram of three links, of which the last is joined to the world."""
     post = {"name": "post", "parent": "world", "bodies": [{"at": "base", "mass": 0.0}]}
     post["joint"] = {"axes": [], "mount": {"xyz": [1.0, 0.0, 0.0]}}
     joint = {"drives": [drive]} if drive else {}
     links = link("a", 1.0, "y", joint=joint), link("b", 1.0, "y", 1.0), link("c", 1.0, "y", bodies=[TIP])
-    return arm(*links, post, loops=[{"between": ["c.tip", "post.base"], "joint": {"axes": list(axes)}}])
+    return arm(*links, post, loops=[{"between": ["c.tip", "post.base"], "joint": {"axes": list(axes)} | (soft or {})}])
 
 
 def body_of_finite_elements() -> dict:
@@ -75,6 +80,7 @@ FEATURES = {
     "ball": lambda: arm(link("a", axes="y"), link("b", joint={"axes": "ball"}, bodies=[TIP])),
     "floating": lambda: arm(HULL, link("a", axes="y", **BENT), base="floating"),
     "loop": lambda: joined("y"),
+    "stiff rows": lambda: joined("y", soft={"stiffness": 1e6, "damping": 30.0}) | {"forces": [ROPE]},
     "elastic gear": lambda: _one(joint={"drives": [ELASTIC]}),
     "friction": lambda: _one(joint={"drives": [{"friction": FRICTION | FALLING}]}),
     "bristles": lambda: _one(joint={"drives": [{"friction": BRISTLES}]}),
@@ -104,7 +110,7 @@ def model_with(feature: str) -> Model:
 
 
 WITHOUT_CONTROL = ("welded", "modes", "shear", "tendons", "coupling", "ball", "floating", "loop", "elastic gear")
-WITHOUT_CONTROL += ("cylinder", "elastic cylinder", "four-bar")
+WITHOUT_CONTROL += ("cylinder", "elastic cylinder", "four-bar", "stiff rows")
 """Robots of which no predictive controller is made: no joints, no cost-to-go, or refused."""
 CONTROL = """
 [horizon]

@@ -11,7 +11,7 @@ from feature_robots import CONTROL, FEATURES, WITHOUT_CONTROL, write
 EXAMPLES = ("main.c", "check.c", "mpc_main.c")
 
 
-@pytest.mark.parametrize("feature", swept(FEATURES, "elastic gear", "loop"))
+@pytest.mark.parametrize("feature", swept(FEATURES, "elastic gear", "loop", "stiff rows"))
 def test_wild_calls(tmp_path, feature):
     control = None if feature in WITHOUT_CONTROL else CONTROL
     write(tmp_path, feature, "runtime", "fused", control)

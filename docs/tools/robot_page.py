@@ -1,4 +1,5 @@
-"""The tables of docs/robot.md: every key of a robot file with its unit and default, from the classes that read it.
+"""The tables of docs/robot.md and docs/motions.md: every key of a file with its unit and default, from the classes
+that read it.
 
     python docs/tools/robot_page.py      # writes the tables anew; a test compares them
 
@@ -32,17 +33,19 @@ from screwgen.spec import (  # noqa: E402  # noqa: E402
     loops,
     markers,
     modes,
+    plan,
     profile,
     reduced,
     rest,
     section,
     stations,
     tendons,
+    tip_path,
 )
 from screwgen.spec import robot as spec  # noqa: E402
 from screwgen.spec.part import Part  # noqa: E402
 
-PAGE = ROOT / "docs" / "robot.md"
+PAGE, MOTIONS = (ROOT / "docs" / name for name in ("robot.md", "motions.md"))
 TABLE = re.compile(r"<!-- keys of (\w+) -->\n+(?:\|.*\n)*\n*")
 ELEMENTS = re.compile(r"(\| element \| key \|.*\n\|[-|]+\n)(?:\|.*\n)*")
 FORCES = re.compile(r"(\| force \| key \|.*\n\|[-|]+\n)(?:\|.*\n)*")
@@ -69,11 +72,13 @@ PARTS = (
     *(four_bar.FourBar, limit.Limit, brake.Brake, spec.Body, reduced.Reduced),
     *(loops.Loop, loop_joint.LoopJoint, couplings.Coupling, forces.Force, forces.Push, markers.Marker, tendons.Tendon),
 )
+"""Of a robot file."""
+OF_MOTIONS = (plan.PlanFile, plan.PlanLimits, tip_path.TipPathFile, tip_path.CircularPath, tip_path.StraightPath)
 
 
 def tables(text: str) -> str:
     """The page with its tables as the classes have them."""
-    parts = {part.__name__: part for part in PARTS}
+    parts = {part.__name__: part for part in (*PARTS, *OF_MOTIONS)}
     text = ELEMENTS.sub(lambda m: m[1] + "".join(_element_rows()), text)
     text = FORCES.sub(lambda m: m[1] + "".join(_force_rows()), text)
     return TABLE.sub(lambda m: f"<!-- keys of {m[1]} -->\n\n{HEAD}{''.join(_rows(parts[m[1]]))}\n", text)
@@ -122,8 +127,13 @@ def _default(field: FieldInfo) -> str:
             return f"`{str(field.default).lower()}`"
         case str():
             return f'`"{field.default}"`'
+        case tuple():
+            return f"`{list(field.default)}`"
+        case float():
+            return f"`{round(field.default, 3)}`"
     return f"`{field.default}`"
 
 
 if __name__ == "__main__":
-    PAGE.write_text(tables(PAGE.read_text(encoding="utf-8")), encoding="utf-8")
+    for page in (PAGE, MOTIONS):
+        page.write_text(tables(page.read_text(encoding="utf-8")), encoding="utf-8")

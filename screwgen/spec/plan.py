@@ -83,31 +83,37 @@ class PlanLimits(Part):
     """Limits of a motion beside those of the robot file."""
 
     lower: Joints | None = Field(None, description="least joint coordinates, rad, of slides m")
-    upper: Joints | None = Field(None, description="largest joint coordinates")
-    rates: Sizes | None = Field(None, description="largest joint rates, rad/s or m/s, of either sign")
-    efforts: Efforts | None = Field(None, description="largest efforts of drives, N·m or N; 0 where there is no drive")
-    effort_rates: Sizes | None = Field(None, description="largest rates of efforts, N·m/s or N/s")
-    strains: Named | None = Field(None, description="largest strains by names or patterns, 1/m, rad/m, stretch 1")
-    wrenches: Named | None = Field(None, description="largest joint wrenches by names or patterns, N·m, N")
+    upper: Joints | None = Field(None, description="largest joint coordinates, rad, of slides m")
+    rates: Sizes | None = Field(None, description="largest joint rates, rad/s, of slides m/s, of either sign")
+    efforts: Efforts | None = Field(
+        None, description="largest efforts of drives, N·m, of slides and cylinders N; 0 where there is no drive"
+    )
+    effort_rates: Sizes | None = Field(None, description="largest rates of efforts, N·m/s, of slides and cylinders N/s")
+    strains: Named | None = Field(
+        None, description="largest strains by names or patterns, in 1/m; of stretch without unit"
+    )
+    wrenches: Named | None = Field(None, description="largest joint wrenches by names or patterns, in N·m or N")
 
 
 class PlanFile(Part):
     """A motion from rest to rest."""
 
     start: Joints = Field(description="joint coordinates at the start, rad, of slides m")
-    goal: Joints | None = Field(None, description="joint coordinates at the goal")
+    goal: Joints | None = Field(None, description="joint coordinates at the goal, rad, of slides m")
     goal_tip: Annotated[tuple[float, ...] | None, PlainValidator(_tip)] = Field(
         None, description="in place of goal: where the last tip rests there, m, in the world"
     )
     through: Annotated[tuple[dict[str, Any], ...], PlainValidator(_through)] = Field(
-        (), description="joint coordinates q that are passed between, and t, s, where the time is stated"
+        (), description="joint coordinates q that are passed between; where the time is stated also t in s"
     )
     time: Annotated[float | str, PlainValidator(_time)] = Field(
         description='the time that the motion takes, s, or "shortest"'
     )
     gains: str | None = Field(None, description="the file of the joint law under which the plan is played")
-    intervals: Annotated[int, PlainValidator(whole(LEAST, LARGEST))] = Field(INTERVALS, description="of the time")
-    limits: PlanLimits = Field(PlanLimits(), description="limits of the joints")
+    intervals: Annotated[int, PlainValidator(whole(LEAST, LARGEST))] = Field(
+        INTERVALS, description="into how many intervals the search divides the time"
+    )
+    limits: PlanLimits = Field(PlanLimits(), description="limits of the motion")
     models: Annotated[tuple[dict[str, float], ...], PlainValidator(_models)] = Field(
         (), description="factors of parameters, by names or patterns, of further models that are to rest too"
     )

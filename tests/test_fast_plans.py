@@ -9,6 +9,7 @@ from test_planning import LAW, ella, one_mode, smooth
 
 import screwgen
 from screwgen import UsageError
+from screwgen.planning.plan import PlanWarning
 
 
 def test_a_fast_plan_leaves_its_model_at_rest():
@@ -28,7 +29,8 @@ def test_a_fast_plan_costs_what_the_search_with_limits_finds():
     assert np.abs(fast.reference(t)[0] - slow.reference(t)[0]).max() < 0.02
 
 
-def test_a_fast_plan_brings_other_loads_to_rest_each_with_its_sag():
+def test_a_fast_plan_brings_other_loads_to_rest_each_with_its_sag(recwarn):
+    """Whence it is played without a word: `play` itself rests the arm there."""
     model = one_mode(gravity=True)
     loads = [{"*.mass": 0.9}, {"*.mass": 1.1}]
     left = []
@@ -36,7 +38,7 @@ def test_a_fast_plan_brings_other_loads_to_rest_each_with_its_sag():
         plan = screwgen.plan(model, [0.0], [1.0], 1.5, gains=LAW, models=models, fast=True)
         runs = [screwgen.play(model, plan, parameters={"rod.bodies[0].mass": x}) for x in (0.9, 1.0, 1.1)]
         left.append([run.residual for run in runs])
-    assert max(left[1]) < 0.35 * max(left[0])
+    assert max(left[1]) < 0.35 * max(left[0]) and PlanWarning not in [x.category for x in recwarn]
 
 
 def test_a_fast_plan_passes_its_waypoints():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from ..arguments import Given, seconds
 from ..planning.drive_coordinates import DriveCoordinates
-from ..planning.plan import MotionPlan
+from ..planning.plan import MotionPlan, PlanWarning
 from ..robot_model import RobotModel
 from .played import Played
 from .runs import Run
@@ -63,7 +64,9 @@ def play(
     """
     p = model.chain.parameters.vector(parameters)
     duration = step * np.ceil((plan.time + seconds(after, "the time after")) / seconds(step, "the step") - 1e-9)
-    run = simulate(model, duration, step, None, None, Played.of(plan), parameters=p, **ways)
+    with warnings.catch_warnings():  # an arm with another payload rests elsewhere under the law, whence it is played
+        warnings.simplefilter("ignore", PlanWarning)
+        run = simulate(model, duration, step, None, None, Played.of(plan), parameters=p, **ways)
     behind = run.tip_position[run.t >= plan.time * (1 - 1e-12)]
     drives = DriveCoordinates(model.chain, p)
     applied = np.abs(drives.efforts(run.tau[:-1]))

@@ -1,5 +1,5 @@
-"""What motions cost on a Cortex-M7: the generated C of a plan, a feedforward, a shaper and a law with its filter, in
-double under QEMU, at every millisecond.
+"""What motions cost on a Cortex-M7: the generated C of a plan, a feedforward, a shaper, joint gains and a law with its
+filter, in double under QEMU, at every millisecond.
 
 python firmware/motions.py [--record]
 
@@ -22,6 +22,7 @@ from stack import covered_stacks
 from targets import HERE, TARGETS, Variant
 
 import screwgen
+from screwgen.planning.task import JointLaw
 from screwgen.target_files import feedforward_files
 
 WORK = OUT / "firmware_motions"
@@ -33,13 +34,14 @@ SWEEP, GRID, LOAD = (1.2, 1.2, 1.2), {"forearm.joint[0]": (-1.2, 1.2), "forearm.
 """rad: how far joints turn, either way, where the shaper is used; the law's grid, and the load that it is told."""
 FLASH, RAM, STACK = 131_072, 32_768, 8_192
 """The most bytes that they may take."""
-INSTRUCTIONS = {"plan": 5_000, "feedforward": 100_000, "shaper": 20_000, "law": 50_000}
+INSTRUCTIONS = {"plan": 5_000, "feedforward": 100_000, "shaper": 20_000, "gains": 1_000, "law": 50_000}
 """The most of a sample."""
-CALLS = {"plan": "plan_sample", "feedforward": "feedforward", "shaper": "shaper_sample", "law": "lqg_sample"}
+CALLS = {"plan": "plan_sample", "feedforward": "feedforward", "shaper": "shaper_sample"}
+CALLS |= {"gains": "law_sample", "law": "lqg_sample"}
 """What is called at a sample, without the robot's name."""
 APART = 1e-12
 """Between numbers on the target and in Python, over the largest."""
-TITLE = "Plans, feedforward, shapers and laws"
+TITLE = "Plans, feedforward, shapers, gains and laws"
 
 
 class MotionSources(Sources):
@@ -68,11 +70,11 @@ def generate() -> tuple[Sources, np.ndarray]:
     model = example()
     plan = screwgen.plan(model, [0.0] * 3, GOAL, TIME)
     shaper = screwgen.shape(model, np.negative(SWEEP), SWEEP)
-    law = screwgen.lqg(model, GRID, step=STEP)
+    gains, law = screwgen.gains(model, [[0.0] * 3]), screwgen.lqg(model, GRID, step=STEP)
     folder = WORK / "source"
     folder.mkdir(parents=True, exist_ok=True)
     files = feedforward_files(model, parameters=VARIANT.parameters, layout=VARIANT.layout, methods=())
-    for name, text in (plan.c() | shaper.c(STEP) | law.c()).items():
+    for name, text in (plan.c() | shaper.c(STEP) | gains.c() | law.c()).items():
         files[name] = text.encode()
     for name, data in files.items():
         (folder / name).write_bytes(data)
@@ -86,7 +88,8 @@ def generate() -> tuple[Sources, np.ndarray]:
     )
     ahead = screwgen.feedforward(model, q, v, STEP).tau
     planned = np.hstack([q, v, plan.mean_torque(t, t + STEP)])[1:]
-    wanted = np.hstack([planned, ahead, shaped, shaped_rates, efforts])[SHOWN - 1 :: SHOWN]
+    held = planned[:, 6:] + JointLaw(gains.kp, gains.kd).torques((shaped - q[1:]).T, (shaped_rates - v[1:]).T).T
+    wanted = np.hstack([planned, ahead, shaped, shaped_rates, held, efforts])[SHOWN - 1 :: SHOWN]
     return MotionSources(model.robot.name, folder), wanted
 
 
@@ -121,7 +124,7 @@ def rows(r: Result) -> list[tuple[str, str]]:
 
 HEAD = (
     "Cortex-M7, double, ELLA with 22 states, a plan of 24 intervals in 1.2 s, a shaper of two modes over three joints, "
-    "a linear-quadratic law of 4 vertices with its filter, a sample every millisecond"
+    "gains of the joints, a linear-quadratic law of 4 vertices with its filter, a sample every millisecond"
 )
 
 

@@ -1,9 +1,9 @@
 /* motions.c: what moves the example arm on a board, at every millisecond: a plan is asked for references and torques, the
- * feedforward for the efforts of these references, a scheduled shaper shapes them, a linear-quadratic law with its filter
- * follows what is shaped. Prints what measure.c prints of counts and stacks; samples have the plan's coordinates, rates and
- * torques, the efforts of the step before, shaped coordinates and rates, efforts of the law.
+ * feedforward for the efforts of these references, a scheduled shaper shapes them, joint gains and a linear-quadratic law
+ * with its filter follow what is shaped. Prints what measure.c prints of counts and stacks; samples have the plan's
+ * coordinates, rates and torques, the efforts of the step before, shaped coordinates and rates, efforts of both laws.
  *
- * Without -DCONSOLE it is the image of what a clock calls: the plan, with what -DFEEDFORWARD, -DSHAPER or -DLAW adds.
+ * Without -DCONSOLE it is the image of what a clock calls: the plan, with what -DFEEDFORWARD, -DSHAPER, -DGAINS or -DLAW adds.
  */
 #include <stdint.h>
 #include <string.h>
@@ -13,6 +13,7 @@
 #ifdef CONSOLE
 #define FEEDFORWARD
 #define SHAPER
+#define GAINS
 #define LAW
 #endif
 
@@ -58,6 +59,14 @@ static ella_shaper_state ring;
 static double shaped[JOINTS], shaped_rate[JOINTS];
 #endif
 
+#ifdef GAINS
+#include "ella_law.h"
+
+static ella_law_state latest;
+static ella_law_input joints;
+static double held[JOINTS];
+#endif
+
 #ifdef LAW
 #include "ella_lqg.h"
 
@@ -87,7 +96,8 @@ static int start(void)
 {
     memcpy(given.measured, out.q, sizeof out.q);
     given.load[0] = LOAD;
-    return prepare() || ella_shaper_start(&ring, 0, out.q) != ELLA_SHAPER_OK || ella_lqg_start(&memory, &given) != ELLA_LQG_OK;
+    return prepare() || ella_shaper_start(&ring, 0, out.q) != ELLA_SHAPER_OK || ella_law_start(&latest) != ELLA_LAW_OK
+        || ella_lqg_start(&memory, &given) != ELLA_LQG_OK;
 }
 
 static int sample(int n)
@@ -114,6 +124,17 @@ static int sample(int n)
         return 1;
     }
     count_end();
+    memcpy(joints.measured, out.q, sizeof out.q);
+    memcpy(joints.rate, out.v, sizeof out.v);
+    memcpy(joints.tau, out.tau, sizeof out.tau);
+    memcpy(joints.q, shaped, sizeof shaped);
+    memcpy(joints.v, shaped_rate, sizeof shaped_rate);
+    printf("count gains 1\n");
+    count_begin();
+    if (ella_law_sample(&latest, t, &joints, held) != ELLA_LAW_OK) {
+        return 1;
+    }
+    count_end();
     memcpy(given.measured, out.q, sizeof out.q);
     memcpy(given.q, shaped, sizeof shaped);
     printf("count law 1\n");
@@ -130,6 +151,7 @@ static int sample(int n)
         print_numbers(tau);
         print_numbers(shaped);
         print_numbers(shaped_rate);
+        print_numbers(held);
         print_numbers(effort);
         printf("\n");
     }
@@ -141,7 +163,8 @@ int main(void)
     int n;
     printf("size plan %u\n", (unsigned)(sizeof place + sizeof out));
     printf("size feedforward %u\n", (unsigned)(sizeof constants + sizeof state + sizeof work));
-    printf("size shaper %u\nsize law %u\n", (unsigned)sizeof ring, (unsigned)(sizeof memory + sizeof given));
+    printf("size shaper %u\nsize gains %u\n", (unsigned)sizeof ring, (unsigned)(sizeof latest + sizeof joints));
+    printf("size law %u\n", (unsigned)(sizeof memory + sizeof given));
     count_known();
     if (ella_plan_start(&place, 0) != ELLA_PLAN_OK) {
         return 1;
@@ -155,6 +178,7 @@ int main(void)
     STACK("plan_sample", ella_plan_sample(&place, 1.5, STEP, &out));
     STACK("feedforward", ella_feedforward(&constants, &state, out.q, out.v, STEP, &work, tau));
     STACK("shaper_sample", ella_shaper_sample(&ring, SAMPLES * STEP, out.q, out.v, out.q, shaped, shaped_rate));
+    STACK("law_sample", ella_law_sample(&latest, SAMPLES * STEP, &joints, held));
     STACK("lqg_sample", ella_lqg_sample(&memory, SAMPLES * STEP, &given, effort));
     printf("done\n");
     return 0;
@@ -170,6 +194,9 @@ int main(void)
 #ifdef SHAPER
     (void)ella_shaper_start(&ring, now, out.q);
 #endif
+#ifdef GAINS
+    (void)ella_law_start(&latest);
+#endif
 #ifdef LAW
     (void)ella_lqg_start(&memory, &given);
 #endif
@@ -180,6 +207,10 @@ int main(void)
 #endif
 #ifdef SHAPER
         (void)ella_shaper_sample(&ring, now, out.q, out.v, out.q, shaped, shaped_rate);
+#endif
+#ifdef GAINS
+        memcpy(joints.q, out.q, sizeof out.q);
+        (void)ella_law_sample(&latest, now, &joints, held);
 #endif
 #ifdef LAW
         memcpy(given.q, out.q, sizeof out.q);

@@ -85,7 +85,7 @@ class TipEquations:
         parts = [ca.jacobian(force, x) for x in (q, v, a)]
         self.force_slopes = ca.Function("slopes", [q, v, a], parts)
         self.tip_slope = _slope(tip, n)
-        stiffness = np.abs(np.diag(still.statics(at_rest[0])[1]))[self.m :]
+        stiffness = np.abs(np.diag(np.array(still.statics(at_rest[0])[1])))[self.m :]
         self.scale = 1.0 / np.append(np.ones(self.m), stiffness)
 
     def residual(self, q: np.ndarray, v: np.ndarray, a: np.ndarray) -> np.ndarray:

@@ -95,7 +95,7 @@ WRONG = [  # the place of what is stated otherwise, what is stated there, and wh
     ("1.parent", "world", PARENT.format(1) + "the world, but of a robot with base"),
     ("2.parent", "world", PARENT.format(2) + "the world, but of a robot with base"),
     ("2.parent", "right", PARENT.format(2) + '"right", which comes later'),
-    ("1.base", "floating", "links[1].base: is an unknown key; known here: name, length"),
+    ("1.base", "floating", "links[1].base: is an unknown key here; it belongs at the top, above links; known"),
 ]
 
 

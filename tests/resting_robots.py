@@ -128,8 +128,9 @@ class Energy:
         A = J / D
         forces = scipy.linalg.lstsq(A.T, g / D, cond=1e-9)[0] if len(A) else np.zeros(0)
         left = g / D - A.T @ forces
-        still = np.finfo(float).eps / BALANCED  # m, rad: where nothing loads the robot rounding is left
-        made = np.abs(H[moving]) @ (np.abs(q) + still) / D + np.abs(A.T) @ np.abs(forces) + np.abs(g / D)
+        made = np.abs(H[moving]) @ np.abs(q) / D + np.abs(A.T) @ np.abs(forces) + np.abs(g / D)
+        # where nothing loads the robot rounding is left, also along what no stiffness resists: of the stiffest at 1 m
+        made += np.finfo(float).eps / BALANCED * np.max(np.abs(H)) / D
         K = (H - self._bend(q, forces).full())[np.ix_(moving, moving)] / np.outer(D, D)
         Z = scipy.linalg.null_space(A, rcond=1e-9) if len(A) else np.eye(len(moving))
         share = float(np.max(np.abs(left), initial=0.0) / (np.max(made, initial=0.0) or 1.0))

@@ -34,7 +34,7 @@ def acting_wrenches(f: Functions, q: Sequence, v: Sequence, w_ext: Sequence, tau
 
 
 def row_terms(chain: Chain, constants: str = "parameters", dae: bool = False) -> Program:
-    """``(q, v) -> (terms)``: of the rows of joints that give way, see :mod:`.compliant_functions`.
+    """``(q, v) -> (terms)``: of the rows that give way, see :mod:`.compliant_functions`.
 
     ``dae``: of a state ``x`` of the DAE form in place of ``q`` and ``v``.
     """
@@ -70,7 +70,7 @@ def settled_rows(chain: Chain, constants: str = "parameters") -> Program:
 
 
 COMPLIANT = (row_terms, row_wrenches)
-"""What implicit stages run before their dynamics where joints of loops give way: at the start, and at their states."""
+"""What implicit stages run before their dynamics where loops or lines give way: at the start, and at their states."""
 
 
 def _state(f: Functions, x: Mapping[str, Sequence]) -> tuple[Sequence, Sequence]:

@@ -66,9 +66,10 @@ def plan(
     ways: dict[str, Any] = {"intervals": asked.intervals, "models": asked.models, "through": asked.through}
     ways["limits"] = {key: x for key, x in asked.limits.model_dump().items() if x is not None}
     ways["gains"] = None if law is None else read_pd(law, model)
-    with _in_file(task, {x: x for x in PlanFile.model_fields} | {"tip": "goal_tip", "near": "start"}):
+    keys = {x: x for x in PlanFile.model_fields} | {"tip": "goal_tip", "near": "start"}
+    with _in_file(task, keys):
         goal = asked.goal or inverse_kinematics(model, asked.goal_tip or (), asked.start)
-    with _reported(report) as page, stoppable(), _in_file(task, {x: x for x in PlanFile.model_fields}):
+    with _reported(report) as page, stoppable(), _in_file(task, keys):
         with destination(output, target, step) as write:
             with bar("planning", 80, quiet) as progress:
                 found = made(model, asked.start, goal, asked.time, **ways, fast=fast, progress=progress)

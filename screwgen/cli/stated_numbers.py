@@ -30,9 +30,7 @@ def note_degrees(q: Iterable[float], model: Model, where: str) -> None:
     """Name joint coordinates that are likely degrees."""
     joints = slice(model.chain.base_q, model.chain.base_q + model.chain.n_redundant)
     units = coordinate_units(model.robot)[joints]
-    for name, unit, x in zip(
-        model.q_names[joints], units, map(float, q), strict=False
-    ):  # other lengths are refused later
+    for name, unit, x in zip(model.q_names[joints], units, q, strict=False):  # another count is refused later
         if unit == "rad":
             note_angle(x, name, where)
 

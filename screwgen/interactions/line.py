@@ -106,10 +106,7 @@ class SpringLine(Interaction):
         if self.winch and self.relaxation is not None:
             return "winch", "is stated beside relaxation; a line that relaxes has no winch yet; leave one of them out"
         if self.implicit and self.relaxation is not None:
-            return (
-                "implicit",
-                "is stated beside relaxation; a line that relaxes is not taken so yet; leave one of them out",
-            )
+            return "implicit", "is stated beside relaxation; a line that relaxes is not taken so; leave one of them out"
         return None
 
     @staticmethod

@@ -183,7 +183,7 @@ class Linearised:
         return np.asarray(out)
 
     def _rows(self, h: float) -> LinearisedRows:
-        """The rows of joints that give way, over a step of `h` seconds."""
+        """The rows that give way, over a step of `h` seconds."""
         if self._known_rows is None or self._known_rows.h != h:
             heavy, brakes = self._balance.over(self._inertia_over(h)), self._balance
             answers = lambda J: prescribed.answers(self.model.chain, heavy, brakes.share[:, None] * J.T)  # noqa: E731

@@ -1,4 +1,4 @@
-"""Loops whose joints give way in generated C: what their rows bear at the end of an implicit step."""
+"""Loops and lines that give way in generated C: what their rows bear at the end of an implicit step."""
 
 from __future__ import annotations
 

@@ -150,7 +150,7 @@ def modal_functions(chain: Chain) -> LazyFunctions:
 
 def _beside_dynamics(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
     """What steps need besides in both forms: the rates of the internal states of forces between frames, and what rows
-    of joints that give way bear at the end of a step."""
+    that give way bear at the end of a step."""
 
     def made(name: str, make: Callable[[Chain], Program]) -> ca.Function:
         program = make(chain)

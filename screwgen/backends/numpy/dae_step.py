@@ -36,7 +36,7 @@ class DaeDynamics:
     `properties`: those of :class:`.CoordinateForces`. `solve (x, tau, w_ext, inertia, force) -> (xdot, vdot, wrench)`;
     `projection (x) -> (x,)`; `joint_rates (x) -> (qdot,)`, which is read where joints are sprung; `memory (x, tau,
     start, h) -> (rate,)`: of the internal states of forces between frames, which are the last entries of x. `rows`:
-    `(x) -> (terms,)` and `(x, tau, w_ext, inertia, force, terms, h, ahead) -> (w_ext,)` of joints that give way.
+    `(x) -> (terms,)` and `(x, tau, w_ext, inertia, force, terms, h, ahead) -> (w_ext,)` of rows that give way.
     """
 
     def __init__(

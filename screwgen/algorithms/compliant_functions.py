@@ -133,7 +133,7 @@ class CompliantFunctions:
         n, gamma = mx.array(found["n"]), found["gamma"][0]
         wrenches: dict[int, Array] = {}
         for i, sign in zip(force.ends, (-1.0, 1.0), strict=True):
-            if i is None:  # beside free fall, in which all accelerations are known, the world rises
+            if i is None:  # accelerations here are less free fall, so a point at rest in the world has that of -gravity
                 gamma = gamma - sign * mx.dot(n, mx.array(list(self.world[:3])))
             else:
                 wrenches[i] = np.concatenate([mx.zeros(3), sign * n])

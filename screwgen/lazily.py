@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     import scipy.interpolate as interpolate
     import scipy.linalg as linalg
+    import scipy.optimize as optimize
     import scipy.spatial.transform as transform
     import sympy as sp
 else:
@@ -21,6 +22,6 @@ else:
             return found
 
     sp, linalg, transform = _Lazy("sympy"), _Lazy("scipy.linalg"), _Lazy("scipy.spatial.transform")
-    interpolate = _Lazy("scipy.interpolate")
+    interpolate, optimize = _Lazy("scipy.interpolate"), _Lazy("scipy.optimize")
 
-__all__ = ["interpolate", "linalg", "sp", "transform"]
+__all__ = ["interpolate", "linalg", "optimize", "sp", "transform"]

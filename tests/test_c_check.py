@@ -12,7 +12,7 @@ from helpers import arm, example, link, model_of, unfolded
 
 from screwgen.backends.c.project import CProject
 from screwgen.backends.numpy import reference
-from screwgen.backends.numpy.reference import assembly_error, rounding_errors
+from screwgen.backends.numpy.reference import Rounding, assembly_error
 from screwgen.cli.commands import run_generate
 from screwgen.errors import PrecisionWarning, ScrewgenError, UsageError
 
@@ -159,7 +159,8 @@ def test_an_arm_beyond_double_is_refused():
 
 def test_a_posture_that_rounding_makes_singular_has_no_error_but_infinity():
     project = CProject(model_of(overloaded(1e9, 1e-3)).chain, "")
-    assert max(rounding_errors(project.chain, case, 24)[0] for case in project._cases) > 1
+    rounding = Rounding(project.chain)
+    assert max(rounding.errors(case, 24)[0] for case in project._cases) > 1
 
 
 # -------- the folder that make builds in
@@ -205,7 +206,7 @@ def test_recorded_states_are_those_that_the_robot_can_be_in(name):
         assert np.linalg.eigvalsh(numeric.mass_matrix(q))[0] > 0
         assert (lower < q[: model.n_joints]).all() and (q[: model.n_joints] < upper).all()
         assert np.isfinite([x for values in case.values() for x in values]).all()
-        assert rounding_errors(model.chain, case, 24)[0] < 1e-2
+        assert Rounding(model.chain).errors(case, 24)[0] < 1e-2
     assert project.check["lost"] == "" and project.check["inverse"] == {}
 
 

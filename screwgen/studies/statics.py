@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from ..algorithms.travels import travels
 from ..backends.numpy.dae_step import SERIES
 from ..errors import SingularError
+from ..lazily import optimize
 from ..robot_model import RobotModel
 from ..spec.link_class import EXACT
 from ..spec.reduced import reach, sizes
@@ -317,7 +317,7 @@ def least(statics: Statics, q: np.ndarray) -> Balance:
     if not (statics.straight and none.size):
         return polished(statics, here)
     at = lambda step: statics.scaled(statics.moved(here, step))  # noqa: E731
-    step = least_squares(lambda s: at(s)[0], none, lambda s: at(s)[1], xtol=1e-15, ftol=1e-15, gtol=1e-15).x
+    step = optimize.least_squares(lambda s: at(s)[0], none, lambda s: at(s)[1], xtol=1e-15, ftol=1e-15, gtol=1e-15).x
     return polished(statics, statics.moved(here, step))
 
 

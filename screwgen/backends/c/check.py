@@ -13,7 +13,7 @@ from ...errors import UsageError
 from ...integrators.method import Method
 from ...topology.chain import Chain
 from ..numpy import reference_sums
-from ..numpy.reference import Case, assembly_error, cases, rounding_errors
+from ..numpy.reference import Case, Rounding, assembly_error, cases
 from .code import literal
 
 USUAL = {"single": (1e-4, 24), "double": (1e-10, 53)}
@@ -38,7 +38,7 @@ CANDIDATES = 9
 
 
 class Recorded(NamedTuple):
-    """A state of the self-check with its results, and its two :func:`rounding_errors` in each precision."""
+    """A state of the self-check with its results, and its two errors by :class:`Rounding` in each precision."""
 
     case: Case
     errors: dict[str, tuple[float, float]]
@@ -52,9 +52,10 @@ def recorded(chain: Chain) -> list[Recorded]:
     """The first STATES that single precision bears; if there are too few, those that double bears, or any."""
     found: list[Recorded] = []
     good = lambda precision: [r for r in found if r.suits(precision)]  # noqa: E731
+    rounding = Rounding(chain)
     with mpmath.workdps(fused.DIGITS):
         for case in islice(cases(chain), CANDIDATES):
-            found.append(Recorded(case, {x: rounding_errors(chain, case, bits) for x, (_, bits) in USUAL.items()}))
+            found.append(Recorded(case, {x: rounding.errors(case, bits) for x, (_, bits) in USUAL.items()}))
             if len(good("single")) == STATES:
                 break
     enough = len(good("single")) >= min(STATES, len(found))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -55,6 +55,7 @@ class Links:
     _phases: dict[str, Applied] = field(default_factory=dict)
     _passages: dict[tuple[str, frozenset[str]], list[Passage]] = field(default_factory=dict)
     _written: dict[tuple, Function] = field(default_factory=dict)
+    _printed: dict[str, Sequence[dict]] = field(default_factory=dict)
 
     @property
     def runs(self) -> dict[str, CFunction]:
@@ -74,8 +75,21 @@ class Links:
         """What recurs in the phases."""
         return Routines(passage.program for run in self.runs for passage in self.passages(run))
 
-    def phases(self, run: str) -> list[dict]:
+    @cached_property
+    def matrix_entries(self) -> Mapping[tuple[int, int | None], tuple[tuple[str, int], ...]]:
+        """The structural nonzeros of M_sys that a link contributes, and an edge, in the order of their programs."""
+        out: dict[tuple[int, int | None], tuple[tuple[str, int], ...]] = {}
+        for p in sorted(self.passages("assembly"), key=lambda p: p.phase):
+            out[p.link, p.edge] = (*out.get((p.link, p.edge), ()), *_nonzeros(p.program))
+        return out
+
+    def phases(self, run: str) -> Sequence[dict]:
         """The phases of a run, each with its functions and the function of every link."""
+        if run not in self._printed:
+            self._printed[run] = self._print(run)
+        return self._printed[run]
+
+    def _print(self, run: str) -> list[dict]:
         out: list[dict] = []
         for number, phase in enumerate(self.table[run].algorithm):
             own = (p for p in self.passages(run) if p.phase == number and p.edge is None)
@@ -128,7 +142,7 @@ class Links:
 
     def function(self, passage: Passage, run: str, phase: str) -> Function:
         """The C function of a phase at one link; equal texts are one function, called after their first link."""
-        entries = tuple(matrix_entries(self, passage.link, passage.edge)) if run == "assembly" else ()
+        entries = self.matrix_entries[passage.link, passage.edge] if run == "assembly" else ()
         known = (run, id(passage.program), passage.wanted, entries, passage.adds, passage.edge is None)
         if known not in self._written:
             self._written[known] = self._function(passage, run, phase, entries)
@@ -272,17 +286,11 @@ class Places:
         return f"call->{member} ? {place} : 0" if member != name in OPTIONAL else place
 
 
-def matrix_entries(links: Links, i: int, edge: int | None = None) -> list[tuple[str, int]]:
-    """The structural nonzeros of M_sys that link i contributes, or for an edge, in the order of its programs."""
-    own = sorted((p for p in links.passages("assembly") if (p.link, p.edge) == (i, edge)), key=lambda p: p.phase)
-    return [
-        (name, k)
-        for passage in own
-        for name, values in passage.program.outputs.items()
-        if plain(name) in M_SYS
-        for k, v in enumerate(values)
-        if not (isinstance(v, float) and v == 0.0)
-    ]
+def _nonzeros(program: Program) -> Iterator[tuple[str, int]]:
+    """The entries of M_sys that a program computes."""
+    for name, values in program.outputs.items():
+        if plain(name) in M_SYS:
+            yield from ((name, k) for k, v in enumerate(values) if not (isinstance(v, float) and v == 0.0))
 
 
 def sparsity(links: Links) -> tuple[list[int], list[int], list[int], list[int]]:
@@ -295,7 +303,7 @@ def sparsity(links: Links) -> tuple[list[int], list[int], list[int], list[int]]:
     for i, edge in parts:
         offsets.append(len(entries))
         blocks = block_places(chain, i) if edge is None else edge_places(chain, edge)
-        for name, k in matrix_entries(links, i, edge):
+        for name, k in links.matrix_entries.get((i, edge), ()):
             row, col, _, cols = blocks[name]
             entries.append((col + k % cols, row + k // cols))
     order = sorted(entries)

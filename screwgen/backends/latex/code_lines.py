@@ -126,25 +126,25 @@ def _part(lines: CodeLines, places: list[int]) -> CodeLines:
 def generated(chain: Chain) -> GeneratedC:
     """What ``screwgen generate`` writes for the robot without options, with the lines of every step."""
     project = Unchecked(chain, __version__)
-    sections: dict[tuple[str, str], CodeLines] = {}
+    sections: dict[str, dict[str, CodeLines]] = {}
     for file, template in project.library.items():
         if file.endswith(("_links.c", "_parameters.c", "_dynamics.c")):
             for lines in found(file, project.text(template)):
-                sections.setdefault((lines.function, lines.title), lines)
+                sections.setdefault(lines.function, {}).setdefault(lines.title, lines)
     of_links = tuple(tuple(_of_link(project, sections, i)) for i in range(chain.n))
     by_title = tuple({lines.title: lines for lines in own} for own in of_links)
     steps = (step for key in chain.classes for block in derived(key).values() for step in block.steps.values())
     return GeneratedC(by_title, of_links, tuple(chain.identifiers), frozenset(map(title, steps)))
 
 
-def _of_link(project: CProject, sections: Mapping[tuple[str, str], CodeLines], i: int) -> Iterator[CodeLines]:
-    """The sections of a link; what comes later replaces what came before."""
+def _of_link(project: CProject, sections: Mapping[str, Mapping[str, CodeLines]], i: int) -> Iterator[CodeLines]:
+    """The sections of a link, of those of functions by title; what comes later replaces what came before."""
     chain, functions = project.chain, _functions(project, i)
     prefixes = {name: "" for name, _ in functions} | ({_whole(project): f"{chain.identifiers[i]}, "})
     for function, run in [*functions, (_whole(project), FUSED), (_preparing(project, i), PREPARE)]:
         prefix = prefixes.get(function, "")
-        for (name, heading), lines in sections.items():
-            if name == function and heading.startswith(prefix):
+        for heading, lines in sections.get(function, {}).items():
+            if heading.startswith(prefix):
                 own = heading.removeprefix(prefix)
                 yield replace(lines, title=own, casadi=CASADI.get(run, ""))
 

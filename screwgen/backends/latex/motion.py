@@ -68,9 +68,10 @@ def _carriers(chain: Chain, link: int) -> list[int]:
 def pattern(chain: Chain) -> tuple[str, bool]:
     """The LaTeX of the mass matrix by blocks, and whether links are left out."""
     every = groups(chain)
-    text = _matrix(chain, every)
-    if width(text) <= PAGE - 6.0:
-        return text, False
+    if len(every) < PAGE:  # a column takes an em at least
+        text = _matrix(chain, every)
+        if width(text) <= PAGE - 6.0:
+            return text, False
     few: list[Group | None] = []
     for kind in ("joint", "rotors", "modes"):
         own = [g for g in every if g.kind == kind]

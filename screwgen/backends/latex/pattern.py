@@ -29,8 +29,8 @@ def pattern(chain: Chain, rate: str) -> Pattern:
     of the links' unknowns, V for twists.
     """
     places = _places(chain, range(chain.n))
-    text = _matrix(chain, places, rate)
-    if width(text) > PAGE - 4.0:
+    text = _matrix(chain, places, rate) if len(places) < PAGE else ""  # a column takes an em at least
+    if not text or width(text) > PAGE - 4.0:
         places = _places(chain, range(2), [DOTS])
         text = _matrix(chain, places, rate)
     return Pattern(_unknowns(places, rate), text, DOTS in places)

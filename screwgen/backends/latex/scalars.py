@@ -70,6 +70,7 @@ class Scalars:
     """How many digits numbers have at most."""
 
     _ranked: dict[sp.Expr, list[tuple]] = field(default_factory=dict, init=False, repr=False, compare=False)
+    _products: dict[sp.Expr, str] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def __call__(self, e: sp.Expr) -> str:
         """The LaTeX of a scalar."""
@@ -101,7 +102,12 @@ class Scalars:
         return any(rank[0] >= Binding.STATE for rank in ranks), ranks
 
     def _signed(self, t: sp.Expr) -> str:
-        return f"- {self._product(-t)}" if _is_negative(t) else f"+ {self._product(t)}"
+        return f"- {self._known(-t)}" if _is_negative(t) else f"+ {self._known(t)}"
+
+    def _known(self, e: sp.Expr) -> str:
+        if e not in self._products:
+            self._products[e] = self._product(e)
+        return self._products[e]
 
     def _rank(self, s: sp.Symbol) -> tuple:
         return self.rank.get(s, (9, 0, (False, 0), 0))

@@ -72,9 +72,9 @@ def _whole(chain: Chain, pose: SketchPose, view: SketchView, letters: Mapping[st
 
 def _drawn(chain: Chain, pose: SketchPose, pen: Pen) -> Pen:
     """All that is in space."""
-    letters, pulled = masses(chain), set[int]()
+    letters, pulled, along = masses(chain), set[int](), names(chain)
     for part in pose.parts:
-        joint(pen, chain, part)
+        joint(pen, chain, part, along)
     for part in pose.parts:
         _link(pen, chain, part)
         drives(pen, chain, pose, part)

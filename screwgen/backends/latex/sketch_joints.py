@@ -33,10 +33,10 @@ def names(chain: Chain) -> list[str]:
     return list(changes(chain.robot))
 
 
-def joint(pen: Pen, chain: Chain, part: LinkShape) -> None:
-    """A joint with its axes and their coordinates."""
+def joint(pen: Pen, chain: Chain, part: LinkShape, along: Sequence[str]) -> None:
+    """A joint with its axes and their coordinates, of the :func:`names` along v."""
     i, key = part.number, chain.keys[part.number]
-    rates = names(chain)[chain.v_offset[i] : chain.v_offset[i + 1]]
+    rates = along[chain.v_offset[i] : chain.v_offset[i + 1]]
     if key.screws or not rates:
         _axes(pen, chain, part, rates)
         return

@@ -99,21 +99,27 @@ REALS: dict[int, type] = {24: np.float32, 53: np.float64}
 """The numbers of so many bits."""
 
 
-def rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]:
-    """How far arithmetic of so many bits is from a case's results: each part over its own largest entry.
+class Rounding:
+    """A robot's dynamics in arithmetic of few bits: the program of the fused layout, preparation included."""
 
-    What rounding does to a result is one draw of a random number, which another order of operations draws anew. So the
-    program of the fused layout, preparation included, runs DRAWS times, with inputs and parameters up to one unit in
-    the last place apart, and the largest error counts. Infinite where rounding makes the posture singular. The second
-    is that of the joint wrenches by inverse dynamics from the rounded accelerations; it is larger where inertial forces
-    that are large beside the wrenches cancel, as in many welded links.
-    """
-    found, guards = _drawn(rounded_dynamics(chain), chain, case, REALS[bits])
-    if not all(np.all(guard > 0) for guard in guards):
-        return math.inf, math.inf
-    draws = [{name: [np.broadcast_to(x, DRAWS)[k] for x in found[name]] for name in found} for k in range(DRAWS)]
-    errors = [_errors(chain, case, **draw) for draw in draws]
-    return max(error for error, _ in errors), max(error for _, error in errors)
+    def __init__(self, chain: Chain):
+        self.chain, self.program = chain, rounded_dynamics(chain)
+
+    def errors(self, case: Case, bits: int) -> tuple[float, float]:
+        """How far arithmetic of so many bits is from a case's results: each part over its own largest entry.
+
+        What rounding does to a result is one draw of a random number, which another order of operations draws anew. So
+        the program runs DRAWS times, with inputs and parameters up to one unit in the last place apart, and the largest
+        error counts. Infinite where rounding makes the posture singular. The second is that of the joint wrenches by
+        inverse dynamics from the rounded accelerations; it is larger where inertial forces that are large beside the
+        wrenches cancel, as in many welded links.
+        """
+        found, guards = _drawn(self.program, self.chain, case, REALS[bits])
+        if not all(np.all(guard > 0) for guard in guards):
+            return math.inf, math.inf
+        drawn = {name: _stacked(values, DRAWS) for name, values in found.items()}
+        errors = [_errors(self.chain, case, {name: x[k] for name, x in drawn.items()}) for k in range(DRAWS)]
+        return max(error for error, _ in errors), max(error for _, error in errors)
 
 
 @fused.program("q v tau w_ext vdot")
@@ -131,7 +137,7 @@ def assembly_error(chain: Chain, cases: Sequence[Case]) -> float:
     """How far rounding to single precision puts the assembled system of the DAE form from its solution.
 
     The largest entry of ``M_sys z + H_sys - W_sys`` over the largest sum of the sizes of a row's terms, ``z`` being the
-    solution of the same system in double precision; of all cases and their neighbours, as in :func:`rounding_errors`.
+    solution of the same system in double precision; of all cases and their neighbours, as in :class:`Rounding`.
     It is large where three axes are near gimbal lock, though accelerations are accurate there.
     """
     places: list[tuple[int, int]] = []
@@ -144,38 +150,48 @@ def assembly_error(chain: Chain, cases: Sequence[Case]) -> float:
     program = fused.fuse(chain, "assembly_error", fused.inputs(chain, "q v tau w_ext"), body, kind=DaeFunctions)
     row, column = np.transpose(places)
 
-    def stacked(case: Case, real: type) -> tuple[np.ndarray, np.ndarray]:
-        found, _ = _drawn(program, chain, case, real)
-        spread = lambda name: np.array([np.broadcast_to(x, DRAWS) for x in found[name]], dtype=float)  # noqa: E731
-        M = np.zeros((DRAWS, len(found["rest"]), len(found["rest"])))
-        M[:, row, column] = spread("M").T
-        return M, spread("rest").T
+    def drawn(case: Case, real: type, draws: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        found, _ = _drawn(program, chain, case, real, draws)
+        return zip(_stacked(found["M"], draws), _stacked(found["rest"], draws), strict=True)
 
     def error(case: Case) -> float:
-        M, rest = (x[0] for x in stacked(case, np.float64))
+        (entries, rest), *_ = drawn(case, np.float64, 1)
+        M = np.zeros((len(rest), len(rest)))
+        M[row, column] = entries
         z = np.linalg.lstsq(M, -rest, rcond=None)[0]
-        M, rest = stacked(case, np.float32)
-        errors, sizes = np.abs(M @ z + rest), np.abs(M) @ np.abs(z) + np.abs(rest)
-        return float(np.max(errors.max(axis=1) / sizes.max(axis=1)))
+        return float(np.max([share(z, *one) for one in drawn(case, np.float32, DRAWS)]))
+
+    def share(z: np.ndarray, entries: np.ndarray, rest: np.ndarray) -> float:
+        terms = entries * z[column]
+        errors = np.abs(np.bincount(row, terms, len(rest)) + rest)
+        return errors.max() / np.max(np.bincount(row, np.abs(terms), len(rest)) + np.abs(rest))
 
     return max(map(error, cases), default=0.0)
 
 
-def _drawn(program: Program, chain: Chain, case: Case, real: type) -> tuple[dict[str, list], list]:
+def _drawn(program: Program, chain: Chain, case: Case, real: type, draws: int = DRAWS) -> tuple[dict[str, list], list]:
     """Outputs and guards of a program at a case and its neighbours, in the arithmetic of ``real``."""
     exact = {name: case[name] for name in program.inputs if name != "p"} | {"p": chain.parameters.values}
     size = float(np.finfo(real).eps)
     rng = np.random.default_rng(0)
-    inputs = {name: [_neighbours(float(x), rng, real, size) for x in exact[name]] for name in program.inputs}
+    inputs = {name: [_neighbours(float(x), rng, real, size, draws) for x in exact[name]] for name in program.inputs}
     with np.errstate(all="ignore"):
         return run(program, inputs, _elementwise(real), real(size), real)
 
 
-def _neighbours(x: float, rng: np.random.Generator, real: type, size: float) -> np.ndarray:
-    """(DRAWS,): a number, and others that are at most one unit in the last place away; those of zero are zero."""
-    moves = rng.uniform(-0.5, 0.5, DRAWS)
+def _neighbours(x: float, rng: np.random.Generator, real: type, size: float, draws: int) -> np.ndarray:
+    """(draws,): a number, and others that are at most one unit in the last place away; those of zero are zero."""
+    moves = rng.uniform(-0.5, 0.5, draws)
     moves[0] = 0.0
     return (x * (1.0 + size * moves)).astype(real)
+
+
+def _stacked(values: Sequence, draws: int) -> np.ndarray:
+    """(draws, len(values)): entries in double precision; what does not depend on inputs is one number for all draws."""
+    out = np.empty((len(values), draws))
+    for k, x in enumerate(values):
+        out[k] = x
+    return out.T
 
 
 def _elementwise(real: type) -> Callable:
@@ -191,28 +207,26 @@ def _elementwise(real: type) -> Callable:
     return apply
 
 
-def _errors(
-    chain: Chain, case: Case, found: list, wrench: list, R: list, position: list, inverse: list
-) -> tuple[float, float]:
+def _errors(chain: Chain, case: Case, found: Mapping[str, np.ndarray]) -> tuple[float, float]:
     """The errors of accelerations, wrenches and pose, and of the wrenches of inverse dynamics."""
     ends = (0, chain.eta_v - chain.n_added, chain.eta_v, chain.nv, chain.nvz)
-    parts = [(found[a:b], case["vdot"][a:b]) for a, b in pairwise(ends)]
-    parts += [(wrench[3 + k :: 6], case["wrench"][3 + k :: 6]) for k in range(3)]
-    of = lambda found, kind: [x for i, x in enumerate(found) if i % 6 // 3 == kind]  # noqa: E731
-    parts += [(of(wrench, 0), of(case["wrench"], 0)), (R, case["tip_rotation"])]
-    (extent,) = case["extent"]
-    placed = max(abs(float(x) - r) for x, r in zip(position, case["tip_position"], strict=True)) / extent
-    return max(placed, _worst(parts)), _worst([(of(inverse, kind), of(case["wrench"], kind)) for kind in (0, 1)])
+    vdot, position, (extent,) = np.array(case["vdot"]), found["position"], case["extent"]
+    wrench, exact, inverse = (np.reshape(x, (-1, 6)) for x in (found["wrench"], case["wrench"], found["inverse"]))
+    parts = [(found["found"][a:b], vdot[a:b]) for a, b in pairwise(ends)]
+    parts += [(wrench[:, 3 + k], exact[:, 3 + k]) for k in range(3)]
+    parts += [(wrench[:, :3], exact[:, :3]), (found["R"], np.array(case["tip_rotation"]))]
+    placed = float(np.max(np.abs(position - case["tip_position"]))) / extent
+    return _worst(placed, *(_deviation(*part) for part in parts)), _worst(
+        *(_deviation(inverse[:, kind], exact[:, kind]) for kind in (slice(3), slice(3, 6)))
+    )
 
 
-def _worst(parts: Sequence[tuple[list, list[float]]]) -> float:
-    errors = [_deviation(x, reference) for x, reference in parts]
+def _worst(*errors: float) -> float:
     return math.inf if any(map(math.isnan, errors)) else max(errors)
 
 
-def _deviation(x: list, reference: list[float]) -> float:
-    scale = max((abs(r) for r in reference), default=0.0)
-    error = float(np.max([abs(float(a) - r) for a, r in zip(x, reference, strict=True)], initial=0.0))
+def _deviation(x: np.ndarray, reference: np.ndarray) -> float:
+    scale, error = (float(np.max(np.abs(y), initial=0.0)) for y in (reference, x - reference))
     return error / scale if scale > 1e-6 else error
 
 

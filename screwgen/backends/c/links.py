@@ -7,6 +7,7 @@ from bisect import bisect_left
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 from ...algorithms import fused
 from ...algorithms.dae_functions import block_places, edge_places
@@ -185,7 +186,8 @@ def links_of(chain: Chain, baked: bool, joint_form: bool) -> Links:
     """
     if joint_form:
         return Links(chain, once(fused.baked, chain) if baked else None)
-    return replace(once(links_of, chain, baked, True), joint_form=False, functions={}, names=set(), _written={})
+    own: dict[str, Any] = {"functions": {}, "names": set(), "_written": {}, "_printed": {}}
+    return replace(once(links_of, chain, baked, True), joint_form=False, **own)
 
 
 @dataclass

@@ -164,7 +164,8 @@ def assembly_error(chain: Chain, cases: Sequence[Case]) -> float:
     def share(z: np.ndarray, entries: np.ndarray, rest: np.ndarray) -> float:
         terms = entries * z[column]
         errors = np.abs(np.bincount(row, terms, len(rest)) + rest)
-        return errors.max() / np.max(np.bincount(row, np.abs(terms), len(rest)) + np.abs(rest))
+        largest = np.max(np.bincount(row, np.abs(terms), len(rest)) + np.abs(rest))
+        return errors.max() / largest if largest else 0.0  # nothing loads a robot without gravity in its first state
 
     return max(map(error, cases), default=0.0)
 

@@ -111,6 +111,10 @@ lint: style
 bench: $(BENCH)/.ready
 	$(BENCH)/bin/python bench/bench.py $(ARGS)
 
+# The same work with Pinocchio, MuJoCo, SoRoMoX, PyElastica, Exudyn and acados. Some six minutes for the first time.
+peers: $(BENCH)/.ready acados
+	$(BENCH)/bin/python bench/peers.py $(ARGS)
+
 # ELLA's modes under PD, a beam that is spun up, a pendulum and the rod of a slider-crank against Exudyn's geometrically
 # exact beams. Some minutes.
 exact-beams: $(BENCH)/.ready
@@ -185,4 +189,4 @@ $(MINIMA)/.ready: pyproject.toml tests/minima.py
 clean:
 	rm -rf $(VENV) $(BENCH) $(MINIMA) build
 
-.PHONY: demo paper mpc acados nmpc-acados docs test test-all examples robots test-long style lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean
+.PHONY: demo paper mpc acados nmpc-acados docs test test-all examples robots test-long style lint bench peers exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean

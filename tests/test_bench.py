@@ -22,6 +22,7 @@ import rigid  # noqa: E402
 import robots  # noqa: E402
 from contenders import Missing, constant_values, same_function  # noqa: E402
 from table import HEAD, Row, duration, printed, spread  # noqa: E402
+from turns import rows_of  # noqa: E402
 
 
 def state(model, seed: int = 5) -> tuple[np.ndarray, ...]:
@@ -131,3 +132,35 @@ def test_numbers():
     assert [duration(x) for x in (2.34e-7, 1.5e-6, 0.0123, 2.0)] == ["234 ns", "1.50 µs", "12.3 ms", "2.00 s"]
     assert spread([1.0, 1.0, 1.0]) == 0.0
     assert printed([Row("group; ratio", "one", 1e-9, 1.0)]).splitlines()[0].split() == list(HEAD[1:])
+
+
+# -------- other tools
+
+
+def test_peers_take_turns_and_the_best_round_counts():
+    """Of two sides whose calls take 2 ms and 6 ms, in one round three times as long."""
+    order = []
+
+    def side(name, seconds):
+        def run(calls):
+            order.append(name)
+            return calls * seconds * (3 if order.count(name) == 2 else 1)
+
+        return run
+
+    own, other = rows_of("beside", {"screwgen": side("a", 2e-3), "other": side("b", 6e-3)}, calls=5, rounds=4)
+    assert order == ["a", "b"] * 4
+    assert (own.seconds, own.ratio) == pytest.approx((2e-3, 1.0)) and (other.seconds, other.ratio) == pytest.approx(
+        (6e-3, 3.0)
+    )
+
+
+@pytest.mark.parametrize(
+    "name, status, said", [("mujoco", 1, "no rows of mujoco: the Python package"), ("x", 2, "no 'x'")]
+)
+def test_a_peer_that_is_missing_costs_its_rows(tmp_path, name, status, said):
+    lines = ("import runpy, sys", "sys.modules['mujoco'] = None", "runpy.run_path(sys.argv[0], run_name='__main__')")
+    program = f"import sys; sys.path.insert(0, {str(BENCH)!r}); sys.argv = sys.argv[1:]; {'; '.join(lines)}"
+    command = [sys.executable, "-c", program, str(BENCH / "peers.py"), "--only", name, "--out", str(tmp_path)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == status and said in done.stderr and "Traceback" not in done.stderr

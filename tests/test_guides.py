@@ -18,7 +18,7 @@ pytestmark = pytest.mark.examples
 DOCS = ROOT / "docs"
 GENERATED = {"errata.md", "misra.md"}
 """Pages with tests of their own: test_paper.py, test_static_analysis.py."""
-PROSE = {"commands.md", "features.md", "frequencies.md", "glossary.md", "paper.md"}
+PROSE = {"commands.md", "features.md", "frequencies.md", "glossary.md", "paper.md", "peers.md"}
 """Pages without blocks, or with blocks run by test_control_loop.py, test_measured_parameters.py, test_cli_paper.py."""
 
 

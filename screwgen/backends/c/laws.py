@@ -65,7 +65,8 @@ def _law(chain: Chain, one: LawsOfRobot) -> dict:
         "name": one.law.name.upper(),
         "words": one.law.words,
         "at": one.coordinates,
-        "axes": one.axes,
+        "place": [chain.given_places[k] for k in one.coordinates],
+        "axes": [chain.given_places[k] - chain.base_q for k in one.axes],
         "side": one.sides,
         "on_added": any(k >= chain.n_joints for k in one.coordinates),
         "terms": _body(Writer, terms),
@@ -93,8 +94,7 @@ def _wider(chain: Chain, lines: list[str]) -> list[str]:
 
 def _internal(chain: Chain, one: LawsOfRobot) -> dict:
     """Of a law with an internal state: ``internal``, the number of that on every coordinate; ``rates``,
-    ``lane_rates`` and ``rate_slopes``, the bodies of loops that find their rates and add the derivatives of these;
-    ``place``: the places of the coordinates in ``q``."""
+    ``lane_rates`` and ``rate_slopes``, the bodies of loops that find their rates and add the derivatives of these."""
     if one.law not in chain.internal:
         return {"internal": []}
     rates, slopes = state_rate(one.law), state_slopes(one.law)
@@ -106,7 +106,6 @@ def _internal(chain: Chain, one: LawsOfRobot) -> dict:
         "rate_slopes": _body(Writer, slopes, adding=frozenset({"rate_x", "rate_w", "rate_there", "rate_axis"})),
         "rates_read": {LOCAL[name]: _reads(rates, name) for name in names},
         "rate_slopes_read": {LOCAL[name]: _reads(slopes, name) for name in names},
-        "place": [chain.given_places[k] for k in one.coordinates],
         "axis_places": [chain.given_places[k] for k in one.axes],
     }
 

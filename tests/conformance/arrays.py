@@ -28,7 +28,7 @@ SALT = "17"
 """What the order of the search is drawn from: of twenty that were tried, that with the fewest rows."""
 
 TURNED = 4
-"""The level with which the rows of `beside` begin: of six that were tried, the first whose rows all have regular states."""
+"""The level with which the rows of `beside` begin: of six that were tried, the first with regular states of all."""
 
 
 @cache

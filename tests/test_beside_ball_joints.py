@@ -10,7 +10,7 @@ import pytest
 from floating_robots import rod
 from helpers import model_of, quick, quick_batch, relative
 
-from screwgen import LimitWarning, rollout, simulate
+from screwgen import LimitWarning, equilibrium, rollout, simulate
 from screwgen.algorithms.travels import ahead_of_joints
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.elements import HeldLaw, key
@@ -139,3 +139,20 @@ def test_what_a_step_holds_reads_the_coordinate_of_its_axis(base, method):
     want = plain.step(plain.initial(q, v), given, w_ext, h)
     for x in (own.step(own.initial(q, v), tau, w_ext, h), c.dae_step(c.dae_state(q, v), tau, w_ext, h, method)):
         assert relative(x, want) < 1e-13
+
+
+def test_c_and_python_find_the_same_rest_in_which_nothing_accelerates():
+    """The gears of a rotor and of a cylinder are wound by what holds their joints; links are so stiff that C's few
+    rounds, each of which takes the forces of the one before, end in digits that all agree."""
+    stiff = {"rhoA": 1.5, "EIy": 6e5, "EIz": 8e5, "rhoIp": 1e-3}
+    model = model_of(ARM | {"links": [link | {"section": stiff} for link in ARM["links"]]})
+    joints = [0.3, *np.array([0.9, 0.3, -0.2, 0.1]) / np.sqrt(0.95), -0.15, 0.4]
+    q = model.chain.complete(np.array(joints), model.parameter_values)
+    efforts, rest = quick(model).gravity(q)
+    found, still = equilibrium(model, joints, hold=True), np.zeros(model.nv)
+    assert relative(rest, found.q) < 1e-8 and relative(efforts[: model.n_joints], found.tau) < 1e-8
+    assert np.abs(rest - q)[model.q_names.index("fore.theta[0]")] > 1e-3 < np.abs(found.tau[-1])
+    assert rest[model.q_names.index("fore.stretch[1]")] == pytest.approx(found.tau[-1] / STRUT["stiffness"], rel=1e-9)
+    vdot, _ = model.numpy().forward_dynamics(found.q, still, found.tau, None)
+    falling, _ = model.numpy().forward_dynamics(found.q, still, None, None)
+    assert np.abs(vdot).max() < 1e-8 * np.abs(falling).max()

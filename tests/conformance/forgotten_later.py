@@ -48,8 +48,7 @@ LATER: list[Mutant] = [
     M("ball", "derivatives of steps", C + "own_slopes.jinja",
       '("PLACE[k]" if balls else "($$_NQ - $$_NGIVEN) + "', '("($$_NQ - $$_NGIVEN) + "'),
     M("ball", "modes", "screwgen/studies/stiffness.py", "q[chain.place_in_q(rate)]", "q[chain.base_q + place]"),
-    M("ball", "C, modular", "screwgen/backends/c/laws.py",
-      '"axes": [chain.given_places[k] - chain.base_q for k in one.axes]', '"axes": one.axes'),
+    M("ball", "derivatives", C + "own_slopes.jinja", '"OF_AXIS[k]" if balls else ', ""),
     # --------------------------------------------------------------------------------------- consumers that had few
     M("markers", "estimator of parameters", PARAMETERS,
       "                row[P_AT + j] += by_vdot[k] * work->vdot_by_p[k * $$_NBY_P + j];\n",

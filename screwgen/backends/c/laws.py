@@ -44,8 +44,8 @@ TAKEN = frozenset(
 def content(chain: Chain) -> list[dict]:
     """The laws for the templates.
 
-    ``at``, ``side``: coordinates and sides; ``place``: where these stand in ``q``; ``axes``: where among the joints'
-    coordinates those stand that elastic gears join to these, if it depends on them;
+    ``at``, ``side``: coordinates and sides; ``place``: where these stand in ``q``; ``axes``: the axes that elastic gears join
+    to these, if it depends on them, and ``axis_places`` where these stand in ``q``;
     ``on_added``: whether some are those that gears add; ``terms`` and
     ``lane_terms``: the body of the loop that adds force and inertia, of numbers and of lanes; ``slopes``: of that which
     adds the derivatives; ``reads``: which of the stage's inputs they need; ``columns``: the members of the constants,
@@ -67,7 +67,8 @@ def _law(chain: Chain, one: LawsOfRobot) -> dict:
         "words": one.law.words,
         "at": one.coordinates,
         "place": [chain.given_places[k] for k in one.coordinates],
-        "axes": [chain.given_places[k] - chain.base_q for k in one.axes],
+        "axes": one.axes,
+        "axis_places": [chain.given_places[k] for k in one.axes],
         "side": one.sides,
         "on_added": any(k >= chain.n_joints for k in one.coordinates),
         "terms": _body(Writer, terms),
@@ -107,7 +108,6 @@ def _internal(chain: Chain, one: LawsOfRobot) -> dict:
         "rate_slopes": _body(Writer, slopes, adding=frozenset({"rate_x", "rate_w", "rate_there", "rate_axis"})),
         "rates_read": {LOCAL[name]: _reads(rates, name) for name in names},
         "rate_slopes_read": {LOCAL[name]: _reads(slopes, name) for name in names},
-        "axis_places": [chain.given_places[k] for k in one.axes],
     }
 
 

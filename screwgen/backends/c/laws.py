@@ -44,10 +44,10 @@ TAKEN = frozenset(
 def content(chain: Chain) -> list[dict]:
     """The laws for the templates.
 
-    ``at``, ``side``: coordinates and sides; ``place``: where these stand in ``q``; ``axes``: the axes that elastic gears join
-    to these, if it depends on them, and ``axis_places`` where these stand in ``q``;
-    ``on_added``: whether some are those that gears add; ``terms`` and
-    ``lane_terms``: the body of the loop that adds force and inertia, of numbers and of lanes; ``slopes``: of that which
+    ``at``, ``side``: coordinates and sides; ``place``: where these stand in ``q``; ``axes``: the axes that elastic
+    gears join to these, if it depends on them, and ``axis_places`` where they do; ``on_added``: whether some are those
+    that gears add; ``terms`` and ``lane_terms``: the body of the loop that adds force and inertia, of numbers and of
+    lanes; ``slopes``: of that which
     adds the derivatives; ``reads``: which of the stage's inputs they need; ``columns``: the members of the constants,
     each with its comment; ``refused``: what their entries may not be.
     """

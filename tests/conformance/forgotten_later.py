@@ -47,7 +47,6 @@ LATER: list[Mutant] = [
     M("ball", "C, fused", C + "couple.jinja", '"PLACE[" ~ number ~ "]" if balls else number', "number"),
     M("ball", "derivatives of steps", C + "own_slopes.jinja",
       '("PLACE[k]" if balls else "($$_NQ - $$_NGIVEN) + "', '("($$_NQ - $$_NGIVEN) + "'),
-    M("ball", "modes", "screwgen/studies/stiffness.py", "q[chain.place_in_q(rate)]", "q[chain.base_q + place]"),
     M("ball", "derivatives", C + "own_slopes.jinja", '"OF_AXIS[k]" if balls else ', ""),
     # --------------------------------------------------------------------------------------- consumers that had few
     M("markers", "estimator of parameters", PARAMETERS,

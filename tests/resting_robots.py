@@ -30,8 +30,8 @@ from screwgen import Equilibrium, Model, ScrewgenError, equilibrium
 from screwgen.studies.held_joints import joint_names
 
 RESTING = LIMITS | {"max_modes": 1, "exact": 0.25, "no_section_rotation": 0.0, "armature": 0.2, "soft": 0.2}
-BALLS = {"drives": 0.0, "cylinders": 0.0, "linkages": 0.0, "stops": 0.0, "armature": 0.0, "max_axes": 1, "balls": 0.5}
-"""What a file may state beside ball joints, of which there is one in two joints."""
+BALLS = {"max_axes": 1, "balls": 0.5}
+"""One in two joints is a ball joint."""
 LINKS = 4
 BALANCED, SAME, FLAT = 1e-7, 1e-9, 1e-7
 """The gradient left over, an energy that differs, an eigenvalue that is zero: all relative to what they are made of."""

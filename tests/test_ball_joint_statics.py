@@ -98,7 +98,7 @@ def test_the_command_states_quaternions(tmp_path, capsys):
     assert "hand.joint.qw" in said and "hand.torque[2]" in said
 
 
-@pytest.mark.parametrize("seed", [4, 5, 7, 12, 15, 33])
+@pytest.mark.parametrize("seed", [4, 7, 8, 15, 18, 19, 33])
 def test_random_robots_with_ball_joints_rest_where_their_energy_is_lowest(seed):
     said, text, _ = outcome(seed, balls=True)
     assert said == "found", text

@@ -97,23 +97,28 @@ REFUSED = [
     ({"axes": "ball", "damping": [1.0]}, {}, "it must hold one number per axis, 3"),
     ({"axes": "bal"}, {}, 'is "bal"; it must be an array of axes, as ["y", "z"], or "ball"'),
     (
-        {"axes": "ball"},
-        {"limits": [{"lower": -1.0, "upper": 1.0}]},
-        "that of link 'fore', beside which it is not known",
+        {"axes": "ball", "limits": [{"lower": -1.0, "upper": 1.0}] * 3},
+        {},
+        "links[1].joint.limits (link fore): is stated of a ball joint, which has no axes",
+    ),
+    (
+        {"axes": "ball", "drives": [{"friction": {"viscous": 0.1}}] * 3},
+        {},
+        "links[1].joint.drives (link fore): is stated of a ball joint, which has no axes",
     ),
     (
         {"axes": "ball"},
-        {"drives": [{"friction": {"viscous": 0.1}}]},
-        "that of link 'fore', beside which it is not known",
+        {"couplings": [{"axis": "arm.joint[1]", "of": "arm.joint[0]", "ratio": 2.0}]},
+        "couplings: is stated of a robot with a ball joint, that of link 'fore', beside which it is not known",
     ),
 ]
 
 
 @pytest.mark.parametrize(("joint", "other", "said"), REFUSED, ids=[str(k) for k in range(len(REFUSED))])
 def test_what_no_ball_joint_has_is_refused_in_a_line(joint, other, said, tmp_path):
-    first = rod("arm", ["z"])
-    first["joint"] |= other
+    first = rod("arm", ["z", "y"])
     robot = {"name": "robot", "gravity": [0.0, 0.0, -9.81], "links": [first, {**rod("fore", []), "joint": joint}]}
+    robot |= other
     (tmp_path / "robot.toml").write_text(rr.to_toml(robot))
     with pytest.raises(ScrewgenError) as error:
         screwgen.load(tmp_path / "robot.toml")
@@ -121,19 +126,18 @@ def test_what_no_ball_joint_has_is_refused_in_a_line(joint, other, said, tmp_pat
 
 
 def test_the_axes_that_a_refusal_offers_in_place_of_a_ball_joint_are_taken():
-    """A load on a rope, a point mass, beside a cylinder: nothing resists a spin about it, so "x" is no way out."""
-    cylinder = {"transmission": {"crank": 0.9, "base": 1.25, "angle": 1.287}}
-    heel, rope = rod("heel", ["y"]), {"name": "rope", "length": 1.5, "joint": {"axes": "ball"}}
-    heel["joint"] |= {"drives": [cylinder]}
+    """A load on a rope, a point mass, beside a coupling: nothing resists a spin about it, so "x" is no way out."""
+    heel, rope = rod("heel", ["z", "y"]), {"name": "rope", "length": 1.5, "joint": {"axes": "ball"}}
     rope["bodies"] = [{"at": "tip", "mass": 300.0}]
     robot = {"name": "crane", "gravity": [0.0, 0.0, -9.81], "links": [heel, rope]}
+    robot["couplings"] = [{"axis": "heel.joint[1]", "of": "heel.joint[0]", "ratio": 2.0}]
     with pytest.raises(ValidationError) as error:
         model_of(robot)
     said = error.value.errors()[0]["msg"]
     assert said.endswith("""in place of "ball": ["y", "z"], or ["x", "y", "z"] where something resists its spin""")
     rope["joint"] = {"axes": ["y", "z"]}
     model = model_of(robot)
-    vdot, _ = model.numpy().forward_dynamics(np.full(model.nq, 0.1), np.zeros(model.nv), np.zeros(3), None)
+    vdot, _ = model.numpy().forward_dynamics(np.full(model.nq, 0.1), np.zeros(model.nv), np.zeros(4), None)
     assert np.isfinite(vdot).all()
 
 

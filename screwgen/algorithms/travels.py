@@ -20,7 +20,6 @@ from ..elements import Travel
 from ..errors import SingularError
 from ..ir.program import Array, Program, Tracer, Value
 from ..ir.replay import run
-from ..spec.parameters import coordinate_names
 from ..topology.chain import Chain
 from . import matrices as mx
 from .scope import Scope
@@ -196,10 +195,10 @@ def ahead_of_joints(chain: Chain, q: Numbers, v: Numbers, p: Numbers) -> tuple[n
     if not chain.elastic_travels:
         return none, none
     q, v = np.asarray(q, float), np.asarray(v, float)
-    joints, rates = (x[first : first + chain.n_joints] for x, first in ((q, chain.base_q), (v, chain.base_v)))
+    joints, rates = np.array(chain.of_joints(q), float), chain.of_joints(v, rates=True)
     places = list(chain.elastic_travels.values())
     stretch, faster = none.copy(), none.copy()
-    stretch[list(chain.elastic_travels)] = q[np.array(places) + chain.base_q - chain.base_v]
+    stretch[list(chain.elastic_travels)] = q[[chain.place_in_q(place) for place in places]]
     faster[list(chain.elastic_travels)] = v[places]
     length, slope, _ = travels(chain, joints, p)
     moves = np.isin(np.arange(chain.n_joints), list(chain.elastic_travels)) & (np.abs(slope) > DEAD)
@@ -226,7 +225,7 @@ def efforts(chain: Chain, torques: np.ndarray, q: Numbers, p: Numbers, held: boo
     slope[list(chain.elastic_travels) if held else []] = 1.0
     for joint in chain.travels:
         if abs(slope[joint]) < DEAD and torques[joint]:
-            name = coordinate_names(chain.robot).q[chain.base_q + joint]
+            name = chain.axis_names[joint]
             its = chain.travels[joint]
             said = f"its {its.WORD} is in a dead centre, where no {its.EFFORT} turns the joint"
             raise SingularError(f"{name}: {said}; leave it")

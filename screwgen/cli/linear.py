@@ -89,7 +89,7 @@ def lock_notes(model: Model, q: np.ndarray) -> list[str]:
     from ..studies.stiffness import stiffness
 
     first, stated = model.chain.base_v, stated_joints(model, q, model.parameter_values)
-    names = model.q_names[model.chain.base_q :][: model.n_joints]
+    names = model.chain.axis_names
     springs = stiffness(model)[first : first + model.n_joints]
     sprung = [name for name, k, s in zip(names, springs, stated, strict=True) if k > 0 and s]
     out = [f"also locks the springs of {', '.join(sprung)}; --joints free lets them act"] if sprung else []

@@ -41,8 +41,8 @@ class StaticShapes:
     @cached_property
     def held(self) -> dict[str, int]:
         """The coordinates of joints that are held where a sensor says, with its place."""
-        first, joints = self.model.chain.base_q, self.model.n_joints
-        names = self.model.q_names[first : first + joints]
+        joints = self.model.n_joints
+        names = self.model.chain.axis_names
         driven = {self.model.tau_names.index(str(column.drives)) for column in self.columns.inputs}
         free = [k in driven or spring > 0 for k, spring in enumerate(stiffness(self.model)[:joints])]
         measured = {column.measures: k for k, column in enumerate(self.columns.sensors)}

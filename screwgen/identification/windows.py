@@ -70,7 +70,7 @@ class Experiment:
         measured = {column.measures: k for k, column in enumerate(self.columns.sensors)}
         for joint in chain.prescribed:
             place = chain.held_places[joint]
-            at = chain.axis_places[joint] if place == chain.base_v + joint else place + chain.nq - chain.nv
+            at = chain.place_in_q(place)
             if joint not in self.driven and (name := self.model.q_names[at]) in measured:
                 out[joint] = at, place, measured[name]
         return out
@@ -91,7 +91,7 @@ class Experiment:
     def stated(self) -> np.ndarray:
         """(n_joints,) of bool: the joints from which others follow in loops: those that the log moves, or measures."""
         chain = self.model.chain
-        names = self.model.q_names[chain.base_q : chain.base_q + chain.n_joints]
+        names = chain.axis_names
         measured = {column.measures for column in self.columns.sensors}
         moved = {at - chain.base_v for _, at, _ in self.moved.values()}
         return np.array([k in moved if moved else name in measured for k, name in enumerate(names)], bool)
@@ -180,8 +180,8 @@ def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray) 
             if mode >= 0:  # one that rings is not bent as under the load of others
                 wide[first + chain.eta_v + mode] = max(wide[first + chain.eta_v + mode], WIDE * size[k] * unit)
     if chain.n_added:
-        for first, at in ((chain.base_q, chain.q_offset[-1]), (n + chain.base_v, n + chain.eta_v - chain.n_added)):
-            x[at : at + chain.n_added] = np.multiply(chain.ratios(p), x[first:][chain.added_joints])
+        for first, end in ((chain.base_q, chain.eta_q), (n + chain.base_v, n + chain.eta_v)):
+            x[first:end] = chain.with_added(x[first : end - chain.n_added], p)
     x[:n] = chain.unit(x[:n])
     held = np.zeros(len(wide), bool)
     for joint, (at_q, at_v, _) in experiment.moved.items():

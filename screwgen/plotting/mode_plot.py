@@ -12,11 +12,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from scipy.spatial.transform import Rotation
 
+from ..backends.numpy.dae_step import SERIES
 from ..backends.numpy.rest_shape import link_at_rest
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..simulation.motion import centrelines, modal_columns, twist
 from ..spec.modes import DIRECTIONS
+from ..spec.parameters import changes
 from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
 from ..studies.modes import ModeShapes
@@ -108,9 +110,9 @@ def field(model: RobotModel, q: np.ndarray, shape: np.ndarray) -> ModeMotion:
 
 def displaced(model: RobotModel, q: np.ndarray, change: np.ndarray) -> np.ndarray:
     """`q` (nq,) and a small change (nv,), which turns and moves a floating base along axes of its own."""
-    first = model.chain.base_q
-    out = np.append(q[:first], q[first:] + change[model.chain.base_v :])
-    if first:
+    chain = model.chain
+    out = np.array(chain.integrate(q, np.append(np.zeros(chain.base_v), change[chain.base_v :]), SERIES))
+    if chain.base_q:
         R = Rotation.from_quat(q[3:7], scalar_first=True)
         out[:3] += R.apply(change[3:6])
         out[3:7] = (R * Rotation.from_rotvec(change[:3])).as_quat(scalar_first=True)
@@ -146,8 +148,9 @@ def sections(line: np.ndarray, frame: np.ndarray, turn: np.ndarray, width: float
 def meaning(model: RobotModel, shape: np.ndarray) -> str:
     """Where most of a mode's strain energy is: `bending in z of upper_arm`, with its share."""
     energies: dict[str, float] = {}
-    energy_of, first = (shape * (stiffness_matrix(model) @ shape))[model.chain.base_v :], model.chain.base_q
-    for name, energy in zip(model.q_names[first:], energy_of, strict=True):
+    first = model.chain.base_v
+    energy_of = (shape * (stiffness_matrix(model) @ shape))[first:]
+    for name, energy in zip(list(changes(model.robot))[first:], energy_of, strict=True):
         kind, *direction = name.partition(".")[2].partition("[")[0].split(".")
         what = f"{WORDS[direction[0]]} of {owner(name)}" if kind == "eta" else f"joint spring of {owner(name)}"
         energies[what] = energies.get(what, 0.0) + energy

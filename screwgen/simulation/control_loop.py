@@ -88,7 +88,7 @@ class Sampled:
             return f"{said}: {other}{_shorter(min(loop.longest() for loop in loops))}"
         factors = lowered(loops)
         rows = sorted({gain.joint for gain, s in zip(loops[0].gains, factors, strict=True) if s < 1})
-        joints = [self.model.q_names[self.model.chain.base_q + j] for j in rows]
+        joints = [self.model.chain.axis_names[j] for j in rows]
         named = f"loop of joint '{joints[0]}' is" if len(joints) == 1 else f"loops of joints {_listed(joints)} are"
         lower = [gain.lowered(s) for gain, s in zip(loops[0].gains, factors, strict=True) if s < 1]
         remedies = [_shorter(min(loop.longest() for loop in loops)), f"lower {_listed(lower, quote='')}"]

@@ -116,7 +116,7 @@ def _by_joint(G: np.ndarray, law: PD | None, model: RobotModel) -> list[Gain]:
     """Each row of the derivatives in its halves, those of other inputs left out."""
     chain, out = model.chain, []
     for j, row in enumerate(G[: model.n_joints]):
-        joint = model.q_names[chain.base_q + j]
+        joint = chain.axis_names[j]
         for of_rate in (False, True):
             slope, half = np.zeros_like(G), slice(of_rate * model.nv, (1 + of_rate) * model.nv)
             slope[j, half] = row[half]

@@ -118,9 +118,9 @@ class Hits:
     """Gathers the hits of a run, step by step, in Python or, by :attr:`plan`, in C."""
 
     def __init__(self, model: RobotModel, p: Numbers):
-        self.bounds, self.names, chain = bounds(model, p), model.q_names[model.chain.base_q :], model.chain
+        self.bounds, self.names, chain = bounds(model, p), model.chain.axis_names, model.chain
         axes = np.array([x.axis for x in self.bounds], int)
-        self.q, self.v = (axes + chain.base_q).astype(np.int32), (axes + chain.base_v).astype(np.int32)
+        self.q, self.v = np.array(chain.axis_places, np.int32)[axes], (axes + chain.base_v).astype(np.int32)
         self.side = np.array([SIDES[x.side] for x in self.bounds], float)
         self.at, self.stiffness, self.damping = (
             np.array([getattr(x, name) for x in self.bounds], float) for name in ("at", "stiffness", "damping")
@@ -205,7 +205,7 @@ def warn_goals(model: RobotModel, p: Numbers, points: Sequence[tuple[float, Sequ
     for bound in bounds(model, p):
         worst = max((q[bound.axis] for _, q in points), key=lambda x: SIDES[bound.side] * x)
         if SIDES[bound.side] * (worst - bound.at) > 0:
-            name = model.q_names[model.chain.base_q + bound.axis]
+            name = model.chain.axis_names[bound.axis]
             unit = "rad" if ".joint[" in name else "m"
             what = f"the controller sends {name} to {worst:g} {unit}, past its {bound.side} limit {bound.at:g} {unit}"
             warnings.warn(f"{what}; move the set point, or the limit", LimitWarning, stacklevel=3)

@@ -88,7 +88,7 @@ def given_axes(model: RobotModel) -> list[str]:
 def _places(model: RobotModel) -> dict[int, int]:
     """The places in `q` of these coordinates, by the numbers of their axes; of an elastic drive that of its rotor."""
     chain, held = model.chain, model.chain.held_places
-    own = lambda k: chain.axis_places[k] if held[k] == chain.base_v + k else held[k] + chain.nq - chain.nv  # noqa: E731
+    own = lambda k: chain.place_in_q(held[k])  # noqa: E731
     return {k: own(k) for k in chain.prescribed}
 
 

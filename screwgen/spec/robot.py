@@ -313,7 +313,7 @@ class Robot(Part):
 
 
 def refuse_beside_balls(robot: Robot) -> None:
-    """Refuses what is not known in one robot with ball joints."""
+    """Refuses what closes the tree of a robot with ball joints, which is not known in one robot yet."""
     ball = next((link for link in robot.links if link.joint.kind.curved), None)
     if ball is None:
         return
@@ -324,10 +324,6 @@ def refuse_beside_balls(robot: Robot) -> None:
     for name, stated in (("loops", robot.rigid_loops), ("couplings", robot.couplings)):
         if stated:
             raise refuse(beside, at=(name,))
-    for i, link in enumerate(robot.links):
-        for name in ("drives", "limits", "elements"):
-            if getattr(link.joint, name) is not None:
-                raise refuse(beside, at=("links", i, "joint", name))
 
 
 def stiffened(link: Link, directions: tuple[str, ...]) -> Link:

@@ -244,13 +244,13 @@ def _rested(
     """
     chain, stiff = model.chain, model.once("rigid gears", lambda: RobotModel(rigid(model.robot)))
     values = dict(zip(model.parameter_names, p, strict=True))
-    own, added = np.array([values[name] for name in stiff.parameter_names]), range(chain.n_joints, chain.eta_q)
+    own, added = np.array([values[name] for name in stiff.parameter_names]), range(chain.n_redundant, chain.eta_q)
     m, at_joints = chain.n_joints, tau / chain.at_efforts(np.ones(chain.n_tau), p)
     held = np.append(held, np.zeros(chain.n_tau - m, bool))
     _, b = _balanced(stiff, own, at_joints, w_ext, held[:m], np.delete(start, added))
-    holding = efforts(chain, np.where(held[:m], b.force[:m], 0.0), b.q[:m], p)
+    holding = efforts(chain, np.where(held[:m], b.force[:m], 0.0), stiff.chain.of_joints(b.q), p)
     torques = np.where(held[:m], holding, at_joints[:m])
-    q = np.concatenate([chain.with_added(b.q[: chain.n_joints], p), b.q[chain.n_joints :]])
+    q = np.concatenate([chain.with_added(b.q[: chain.n_redundant], p), b.q[chain.n_redundant :]])
     statics = _statics(model, p, np.where(held, 0.0, tau), w_ext, held[:m])
     return statics, statics.at(wound(model, q, torques, p))
 

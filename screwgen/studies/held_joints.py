@@ -10,7 +10,6 @@ import numpy as np
 from ..arguments import Numbers, choice
 from ..errors import UsageError
 from ..robot_model import RobotModel
-from ..spec.parameters import changes
 from .linear import checked
 
 Hold = bool | str | Sequence[str]
@@ -60,9 +59,8 @@ def asked(model: RobotModel, hold: Hold, free: Sequence[str], sprung: np.ndarray
 
 
 def joint_names(model: RobotModel) -> list[str]:
-    """The names of the axes of joints (n_joints): of their coordinates, of ball joints `hand.joint[0]` …"""
-    first = model.chain.base_v
-    return list(changes(model.robot))[first : first + model.n_joints]
+    """The names of the axes of joints (n_joints), see `Chain.axis_names`."""
+    return model.chain.axis_names
 
 
 def _named(model: RobotModel, names: Sequence[str], what: str) -> np.ndarray:

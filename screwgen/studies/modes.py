@@ -241,7 +241,7 @@ def closed_posture(model: RobotModel, q: Numbers | None, p: Numbers) -> np.ndarr
         return at
     if q is None:
         near, first = closed_softly(model.numpy(p), at, np.zeros(chain.nq, bool)), chain.base_q
-        joints = chain.with_added(near[first : first + chain.n_joints], p)
+        joints = chain.with_added(near[first : chain.q_offset[-1]], p)
         at = np.concatenate([near[:first], joints, near[chain.eta_q :]])
     check_closed(model.numpy(p), "q", at)
     stated_joints(model, at, p)

@@ -153,7 +153,7 @@ def deflected(model: RobotModel, q: np.ndarray, v: np.ndarray, p: np.ndarray) ->
     q = q.copy()
     if chain.n_added:
         first = chain.base_q
-        q[first : chain.eta_q] = chain.with_added(q[first : first + model.n_joints], p)
+        q[first : chain.eta_q] = chain.with_added(q[first : chain.q_offset[-1]], p)
     for _ in range(ITERATIONS):
         K = numeric.slopes(q, v, None, None)[1][modes, modes]
         step = np.linalg.lstsq(K, numeric.inverse_dynamics(q, v, None, None)[modes])[0]

@@ -93,6 +93,7 @@ def pressed(model: RobotModel, q: np.ndarray, p: Numbers | None = None) -> np.nd
     chain, own = model.chain, columns(model.chain, numeric.constants)
     for law, coordinates, sides, _ in of_robot(chain):
         for k, (place, side) in enumerate(zip(coordinates, sides, strict=True)) if law.positional else ():
-            given = {"x": [q[chain.base_q + place]], "w": [0.0]} | {name: [own[name][k]] for name in law.constants}
-            out[chain.base_v + place] += run(forces(law, (side,)), given, on_arrays)[0]["by_x"][0]
+            rate = chain.base_v + place
+            given = {"x": [q[chain.place_in_q(rate)]], "w": [0.0]} | {name: [own[name][k]] for name in law.constants}
+            out[rate] += run(forces(law, (side,)), given, on_arrays)[0]["by_x"][0]
     return out

@@ -23,7 +23,7 @@ from ..spec.assumptions import assumptions
 from ..spec.limit import Limit
 from ..spec.link_class import MARKER, link_class
 from ..spec.markers import TIP as END
-from ..spec.parameters import turning
+from ..spec.parameters import per_axis, turning
 from ..spec.robot import Robot
 from ..spec.segments import segments
 from .coordinates import Coordinates
@@ -200,6 +200,12 @@ class Chain(Coordinates, ChosenInputs):
             return ""
         bent = "a link of order 2 bends so far that its mass matrix is no longer positive definite"
         return f', or {bent}; then give it order = "exact", or more segments'
+
+    @cached_property
+    def axis_names(self) -> list[str]:
+        """The names of the axes (n_joints) along which torques act: of the coordinates there; of the turns of a ball
+        joint about the axes of its link `hand.joint[0]` …"""
+        return list(per_axis(self.robot, "joint", "slide"))
 
     @property
     def sliding(self) -> bool:

@@ -189,10 +189,12 @@ class Coordinates(LawCoordinates):
         return [0.0 if axis in self.keys[i].elastic_travels else x for (i, axis), x in zip(axes, stated, strict=True)]
 
     def with_added(self, q: Any, p: Any) -> np.ndarray:
-        """Joint coordinates or rates (n_joints, ...), and the added ones that leave their gears without load."""
+        """Joint coordinates (n_redundant, ...) or rates (n_joints, ...), and the added ones that leave their gears
+        without load."""
         q = np.asarray(q, float)
         shape = (self.n_added, *(1 for _ in q.shape[1:]))
-        return np.concatenate([q, np.reshape(self.ratios(p), shape) * q[self.added_joints]])
+        first = range(self.n_joints) if len(q) == self.n_joints else [k - self.base_q for k in self.axis_places]
+        return np.concatenate([q, np.reshape(self.ratios(p), shape) * q[[first[k] for k in self.added_joints]]])
 
     def with_inner(self, joints: Any, p: Any) -> np.ndarray:
         """All coordinates or rates (nq,) out of those of the joints: gears without load, modes zero."""
@@ -211,12 +213,18 @@ class Coordinates(LawCoordinates):
         ahead = [0 if key.joint.turn_at is None else key.joint.turn_at + 1 for key in self.keys]
         return [self.q_offset[i] + ahead[i] + k for i, key in enumerate(self.keys) for k in range(key.torques)]
 
+    def place_in_q(self, rate: int) -> int:
+        """Where in `q` the coordinate stands whose rate is entry ``rate`` of `v`, behind the twist of a floating base.
+
+        Of a ball joint's rates those of its quaternion's vector, see :attr:`axis_places`.
+        """
+        axis = rate - self.base_v
+        return self.axis_places[axis] if axis < self.n_joints else rate + self.nq - self.nv
+
     @cached_property
     def given_places(self) -> list[int]:
         """Where in `q` the coordinates stand whose inertia and force an integrator gives (n_given)."""
-        if not self.has_axis_forces:
-            return list(range(self.eta_q, self.nq))
-        return [*self.axis_places, *range(self.q_offset[-1], self.nq)]
+        return [self.place_in_q(rate) for rate in range(self.nv - self.n_given, self.nv)]
 
     def at_efforts(self, tau: Any, p: Any) -> np.ndarray:
         """Torques (n_tau,) where they act, of those at the joints: on rotors they are less by the ratio."""

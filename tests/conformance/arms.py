@@ -179,7 +179,7 @@ def _boom(row: Row) -> dict:
         boom["frame_at"] = 0.3
     if row["more"] == "bodies":
         boom["bodies"] = [{"at": "base", "mass": 0.7, "com": [0.02, 0.05, -0.03]}, copy.deepcopy(PAYLOAD)]
-    if row["axis"] == "limited" and row["base"] != "afloat":
+    if row["axis"] == "limited" and row["base"] != "afloat" and row["turn"] != "ball":
         boom["joint"]["limits"] = [{"effort": ENOUGH} for _ in boom["joint"]["axes"]]
     if (
         row["axis"] == "given motion"

@@ -114,7 +114,7 @@ FACTOR_OF: dict[str, str] = {
     name: factor for factor, levels in FACTORS.items() for name, words in levels.items() if words
 }
 
-BESIDE_BALLS = "what acts on single coordinates, and what closes loops, is not known beside ball joints yet"
+BESIDE_BALLS = "what closes loops is not known beside ball joints yet"
 NO_JOINT = "a base that floats has no joint"
 TRAVELS = ("cylinder", "four-bar", "elastic cylinder", "elastic four-bar")
 IMPOSSIBLE: dict[tuple[str, str], str] = {
@@ -126,8 +126,6 @@ IMPOSSIBLE: dict[tuple[str, str], str] = {
     ("stations", "frequencies"): "measured frequencies take the place of stiffness, which stations state",
     ("profile", "frequencies"): "measured frequencies take the place of stiffness, which a profile states",
     **{("afloat", turn): NO_JOINT for turn in list(FACTORS["turn"])[1:]},
-    **{("ball", drive): BESIDE_BALLS for drive in list(FACTORS["drive"])[1:]},
-    **{("ball", friction): BESIDE_BALLS for friction in list(FACTORS["friction"])[1:]},
     **{
         (drive, "loaded friction"): "only the stretch of an elastic gear tells its load"
         for drive in ("rotor", *TRAVELS)
@@ -135,7 +133,6 @@ IMPOSSIBLE: dict[tuple[str, str], str] = {
     **{(drive, "bristles"): "bristles are not known behind transmissions yet" for drive in TRAVELS},
     **{(drive, "given motion"): "the input of a transmission is its force" for drive in TRAVELS},
     **{(drive, "brakes"): "brakes are not known behind such gears" for drive in TRAVELS[2:]},
-    **{("ball", axis): BESIDE_BALLS for axis in ("spring", "stops", "limited")},
     **{("ball", closing): BESIDE_BALLS for closing in list(FACTORS["closing"])[1:] if closing != "compliant loop"},
 }
 """Pairs that a robot file cannot state, with the reason; a test states each and is refused."""
@@ -147,6 +144,13 @@ BUILT_OTHERWISE: dict[tuple[str, str], str] = {
 
 LATER: dict[str, str] = {"compliant loop": "closing"}
 """Levels with rows of their own, by factor: those that came after the array was chosen, whose rows would all change."""
+
+LATER_PAIRS: tuple[tuple[str, str], ...] = (
+    *(("ball", drive) for drive in list(FACTORS["drive"])[1:]),
+    *(("ball", friction) for friction in list(FACTORS["friction"])[1:]),
+    *(("ball", axis) for axis in ("spring", "stops", "limited")),
+)
+"""Pairs with rows of their own, in which the other factors have levels too: they were refused when it was chosen."""
 
 NEEDS: dict[str, tuple[str, ...]] = {
     "shared tendon": ("rod", "curved fore"),
@@ -165,12 +169,18 @@ def possible(row: Row) -> bool:
     )
 
 
+def usual(row: Row) -> bool:
+    """Whether it can be built and no pair of it is one of `LATER_PAIRS`."""
+    chosen = set(row.values())
+    return possible(row) and not any(chosen.issuperset(pair) for pair in LATER_PAIRS)
+
+
 def conditions() -> list[dict]:
-    """The same as conditions of `covertable`: of each pair that cannot stand together, and of each need."""
+    """The same as conditions of `covertable`: of each pair that cannot stand together or came later, and each need."""
     is_ = lambda level: {"operator": "eq", "left": FACTOR_OF[level], "value": level}  # noqa: E731
     never = [
         {"operator": "not", "condition": {"operator": "and", "conditions": [is_(a), is_(b)]}}
-        for a, b in (*IMPOSSIBLE, *BUILT_OTHERWISE)
+        for a, b in (*IMPOSSIBLE, *BUILT_OTHERWISE, *LATER_PAIRS)
     ]
     needs = [
         {"operator": "or", "conditions": [{"operator": "not", "condition": is_(level)}, *map(is_, needed)]}

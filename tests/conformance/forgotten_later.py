@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from conformance.mutation import ALGORITHMS, BRAKED, COMPLIANT, LOOPED, PARAMETERS, PRESCRIBED, Mutant
+from conformance.mutation import ALGORITHMS, BRAKED, COMPLIANT, LOOPED, PARAMETERS, PRESCRIBED, C, Mutant
 
 M = Mutant
 LATER: list[Mutant] = [
@@ -43,6 +43,11 @@ LATER: list[Mutant] = [
     M("moving", "sensors", ALGORITHMS + "marker_functions.py",
       'units = np.eye(self.chain.nv).tolist()',
       "units = np.diag([float(k >= 6 * self.chain.moving) for k in range(self.chain.nv)]).tolist()"),
+    # ----------------------------------------------------------- ball joints beside what acts on single coordinates
+    M("ball", "C, fused", C + "couple.jinja", '"PLACE[" ~ number ~ "]" if balls else number', "number"),
+    M("ball", "derivatives of steps", C + "own_slopes.jinja",
+      '("PLACE[k]" if balls else "($$_NQ - $$_NGIVEN) + "', '("($$_NQ - $$_NGIVEN) + "'),
+    M("ball", "derivatives", C + "own_slopes.jinja", '"OF_AXIS[k]" if balls else ', ""),
     # --------------------------------------------------------------------------------------- consumers that had few
     M("markers", "estimator of parameters", PARAMETERS,
       "                row[P_AT + j] += by_vdot[k] * work->vdot_by_p[k * $$_NBY_P + j];\n",

@@ -23,6 +23,8 @@ def content(chain: Chain) -> dict[str, object]:
         "n_turns": "$$_NTWIST" if base_alone else str(turns(chain)),
         "v_offset": chain.v_offset[:-1],
         "given_places": chain.given_places,
+        "rates_of_q": {chain.place_in_q(rate): rate for rate in range(chain.base_v, chain.nv)},
+        "turned": {part.q.start: (part.v.start, chain.names[part.link]) for part in balls},
         "n_rates": chain.v_offset[-1],
         "n_redundant": chain.n_redundant,
         "joint_coordinates": chain.q_offset[-1],

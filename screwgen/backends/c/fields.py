@@ -212,17 +212,20 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
 def joint_places(chain: Chain) -> dict[str, object]:
     """Where the joints behind a pose begin in ``q`` and ``v``, as text.
 
-    ``past``, ``from``: offsets of pointers and of indices; ``begin``: the first; ``ahead``: of coordinates over rates.
+    ``past``, ``from``: offsets of pointers and of indices; ``begin``: the first; ``ahead``: of coordinates over rates,
+    behind the joints; ``added``: where the coordinates that gears add begin.
     """
     first = {"q": "$$_NPOSE", "v": "$$_NTWIST"} if chain.base_v else {}
+    balls = any(not part.joint.in_space for part in chain.curved)
+    added = {"q": "$$_NQ - $$_NINNER", "K": "$$_NGIVEN - $$_NINNER"}
     return {
         "first_q": chain.base_q,
         "first_v": chain.base_v,
         "past": {x: f" + {first[x]}" if first else "" for x in "qv"},
         "begin": {x: first.get(x, "0") for x in "qv"},
-        "ahead": " + ($$_NPOSE - $$_NTWIST)" if first else "",
+        "ahead": " + ($$_NQ - $$_NV)" if balls else " + ($$_NPOSE - $$_NTWIST)" if first else "",
         "from": {x: f"{first[x]} + " if first else "" for x in "qv"},
-        "added": {"q": "$$_NQ - $$_NINNER", "K": "$$_NGIVEN - $$_NINNER"} if first else {"q": "ROTOR", "K": "ROTOR"},
+        "added": added if chain.curved else {"q": "ROTOR", "K": "ROTOR"},
         "ends": {"own": "$$_NGIVEN" if first else "$$_NV"},
     }
 

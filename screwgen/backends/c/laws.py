@@ -44,9 +44,10 @@ TAKEN = frozenset(
 def content(chain: Chain) -> list[dict]:
     """The laws for the templates.
 
-    ``at``, ``side``: coordinates and sides; ``axes``: the axes that elastic gears join to these, if it depends on them;
-    ``on_added``: whether some are those that gears add; ``terms`` and
-    ``lane_terms``: the body of the loop that adds force and inertia, of numbers and of lanes; ``slopes``: of that which
+    ``at``, ``side``: coordinates and sides; ``place``: where these stand in ``q``; ``axes``: the axes that elastic
+    gears join to these, if it depends on them, and ``axis_places`` where they do; ``on_added``: whether some are those
+    that gears add; ``terms`` and ``lane_terms``: the body of the loop that adds force and inertia, of numbers and of
+    lanes; ``slopes``: of that which
     adds the derivatives; ``reads``: which of the stage's inputs they need; ``columns``: the members of the constants,
     each with its comment; ``refused``: what their entries may not be.
     """
@@ -65,7 +66,9 @@ def _law(chain: Chain, one: LawsOfRobot) -> dict:
         "name": one.law.name.upper(),
         "words": one.law.words,
         "at": one.coordinates,
+        "place": [chain.given_places[k] for k in one.coordinates],
         "axes": one.axes,
+        "axis_places": [chain.given_places[k] for k in one.axes],
         "side": one.sides,
         "on_added": any(k >= chain.n_joints for k in one.coordinates),
         "terms": _body(Writer, terms),
@@ -93,8 +96,7 @@ def _wider(chain: Chain, lines: list[str]) -> list[str]:
 
 def _internal(chain: Chain, one: LawsOfRobot) -> dict:
     """Of a law with an internal state: ``internal``, the number of that on every coordinate; ``rates``,
-    ``lane_rates`` and ``rate_slopes``, the bodies of loops that find their rates and add the derivatives of these;
-    ``place``: the places of the coordinates in ``q``."""
+    ``lane_rates`` and ``rate_slopes``, the bodies of loops that find their rates and add the derivatives of these."""
     if one.law not in chain.internal:
         return {"internal": []}
     rates, slopes = state_rate(one.law), state_slopes(one.law)
@@ -106,8 +108,6 @@ def _internal(chain: Chain, one: LawsOfRobot) -> dict:
         "rate_slopes": _body(Writer, slopes, adding=frozenset({"rate_x", "rate_w", "rate_there", "rate_axis"})),
         "rates_read": {LOCAL[name]: _reads(rates, name) for name in names},
         "rate_slopes_read": {LOCAL[name]: _reads(slopes, name) for name in names},
-        "place": [chain.given_places[k] for k in one.coordinates],
-        "axis_places": [chain.given_places[k] for k in one.axes],
     }
 
 

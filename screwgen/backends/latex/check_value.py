@@ -111,7 +111,8 @@ def state(chain: Chain, nearer: float) -> tuple[list[float], list[float], list[f
         q[first : first + 4] = QUATERNION if nearer else (1.0, 0.0, 0.0, 0.0)
     if chain.n_added:
         p = [x.value for x in parameters(chain.robot)]
-        q[: chain.eta_q] = chain.with_added(q[: chain.eta_q - chain.n_added], p)
+        joints = slice(chain.base_q, chain.q_offset[-1])
+        q[chain.base_q : chain.eta_q] = chain.with_added(q[joints], p)
         q[chain.eta_q - chain.n_added : chain.eta_q] += SLACK
     v = np.array([RATE[k % len(RATE)] for k in range(chain.nv)])
     modes = [(number, i) for i, key in enumerate(chain.keys) for _, number in key.directions]

@@ -161,7 +161,7 @@ class DaeFunctions(Functions):
         """
         links = self._solve(x, tau, w_ext)
         wrench = [w for link in links for w in link["wrench"]]
-        xdot, vdot = self._state_rates(x, links), self.chain.join(links, "qddot", "etaddot")
+        xdot, vdot = self.under_inputs(tau)._state_rates(x, links), self.chain.join(links, "qddot", "etaddot")
         return xdot, vdot + (xdot[len(xdot) - self.chain.n_internal :] if self.given is None else []), wrench
 
     def _state_rates(self, x: Sequence, links: Sequence[Mapping[str, list]]) -> list:

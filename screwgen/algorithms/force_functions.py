@@ -33,13 +33,15 @@ MOTION: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.tip_twist, O
 
 class StateChange(NamedTuple):
     """The derivatives that states of a force have: of the wrenches on tips in their frames with the states,
-    (6, states) by segment, and of the rates of the states with q, rates and states."""
+    (6, states) by segment, and of the rates of the states with q, rates, states and the inputs of the force."""
 
     states: slice
+    inputs: slice
     wrenches: dict[int, Array]
     rate_q: Array
     rate_v: Array
     rate_z: Array
+    rate_u: Array
 
 
 class ForceFunctions:
@@ -189,10 +191,12 @@ class ForceFunctions:
             by_state, by_start = (mx.array(found[x], (count, count)) for x in ("by_state", "by_start"))
             yield StateChange(
                 force.states,
+                force.inputs,
                 {i: mx.array(by[name], (count, 6)).T for i, name in loads},
                 mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q),
                 mx.multiply(by_twist, J),
                 by_state + by_start,
+                mx.array(found["by_input"], (count, len(force.shape.inputs))),
             )
 
     def input_powers(self, q: Sequence, v: Sequence) -> list[Value]:

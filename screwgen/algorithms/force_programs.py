@@ -80,18 +80,19 @@ def state_rates(shape: InteractionClass) -> Program:
 
 @cache
 def rate_slopes(shape: InteractionClass) -> Program:
-    """``-> (by_pose, by_twist, by_state, by_start)``: their derivatives, (states, 12) of poses and twists as of
-    :func:`slopes`, (states, states) of the states and of those at the start."""
+    """``-> (by_pose, by_twist, by_input, by_state, by_start)``: their derivatives, (states, 12) of poses and twists as
+    of :func:`slopes`, (states, inputs), (states, states) of the states and of those at the start."""
     tracer, inputs = _with_start(shape)
     found = _mean_rates(tracer, shape, inputs)
     changes = pose_changes(inputs["R"].reshape(3, 3), inputs["d"])
-    own = [*inputs["numbers"]][shape.size - len(shape.states) :]
+    chosen, own = np.split(inputs["numbers"][shape.count :], [len(shape.inputs)])
     by = {"by_pose": mx.array([tangents(found, seed) for seed in changes]).T}
     by |= {
         name: mx.array(columns(found, [*of])).T
         for name, of in (
             ("by_twist", [*inputs["V_A"], *inputs["V_B"]]),
-            ("by_state", own),
+            ("by_input", [*chosen]),
+            ("by_state", [*own]),
             ("by_start", inputs["start"]),
         )
     }

@@ -220,7 +220,7 @@ class Functions(
         wrench = [x for link in links for x in link["wrench"]]
         vdot = self.chain.join(links, "qddot", "etaddot")
         if self.chain.n_internal and self.given is None:  # integrators that give forces find these rates themselves
-            vdot += self.internal_rates(q, v)
+            vdot += self.under_inputs(tau).internal_rates(q, v)
         return vdot, wrench, axial_motions(links)
 
     def forward(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[list, list]:

@@ -16,7 +16,8 @@ class Slopes:
     """Mass matrix and partial derivatives of the inverse dynamics with q and rates, (nv, nv) each.
 
     Derivatives with q are those along v: of a floating base with a twist-like change of its pose, ``pose exp(delta)``.
-    ``f_z`` (nv, n_internal): with internal states; ``z_q``, ``z_v``: of their rates, with q and with all of v (nvz).
+    ``f_z`` (nv, n_internal): with internal states; ``z_q``, ``z_v``, ``z_u``: of their rates, with q, all of v (nvz)
+    and with the inputs (n_tau).
     """
 
     M: Array
@@ -25,12 +26,13 @@ class Slopes:
     f_z: Array
     z_q: Array
     z_v: Array
+    z_u: Array
 
     @classmethod
     def zero(cls, chain: Chain, more: int = 0) -> Slopes:
         """None, with ``more`` rows of the first two derivatives."""
         nv, m = chain.nv, chain.n_internal
-        sizes = (nv, nv), (nv + more, nv), (nv + more, nv), (nv, m), (m, nv), (m, chain.nvz)
+        sizes = (nv, nv), (nv + more, nv), (nv + more, nv), (nv, m), (m, nv), (m, chain.nvz), (m, chain.n_tau)
         return cls(*(mx.zeros(*size) for size in sizes))
 
 
@@ -48,5 +50,4 @@ def with_internal_rates(
     found: Slopes, by_q: np.ndarray, by_v: np.ndarray, by_tau: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The derivatives of accelerations with those of the rates of internal states below them."""
-    nothing = np.zeros((len(found.z_q), by_tau.shape[1]))
-    return np.vstack([by_q, found.z_q]), np.vstack([by_v, found.z_v]), np.vstack([by_tau, nothing])
+    return np.vstack([by_q, found.z_q]), np.vstack([by_v, found.z_v]), np.vstack([by_tau, found.z_u])

@@ -16,6 +16,7 @@ import numpy as np
 
 from ..elements import FRICTION
 from ..ir.program import Array, Value
+from ..spec.forces import FORCE_INPUTS
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from ..topology.tree import BASE, TIP
@@ -98,6 +99,9 @@ def _take_states(chain: Chain, own: StateChange, out: Slopes, at: Mapping[int, T
         out.f_z[:, columns] = out.f_z[:, columns] - mx.multiply(at[i].J.T, by_state)
     out.z_q[columns], out.z_v[columns, : chain.nv] = own.rate_q, own.rate_v
     out.z_v[np.ix_(columns, chain.nv + columns)] = own.rate_z
+    if chain.chooses_forces:
+        inputs = np.arange(chain.n_tau)[chain.inputs[FORCE_INPUTS]][own.inputs]
+        out.z_u[np.ix_(columns, inputs)] = own.rate_u
 
 
 def moving_slopes(

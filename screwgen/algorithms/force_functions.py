@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from copy import copy
 from types import MappingProxyType
-from typing import Any, NamedTuple, Self
+from typing import Any, Self
 
 import numpy as np
 
@@ -29,19 +29,6 @@ from .schedule import OUTWARD, Algorithm, Apply, Phase
 
 POSES = Phase(mo.poses, OUTWARD)
 MOTION: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.tip_twist, OUTWARD))
-
-
-class StateChange(NamedTuple):
-    """The derivatives that states of a force have: of the wrenches on tips in their frames with the states,
-    (6, states) by segment, and of the rates of the states with q, rates, states and the inputs of the force."""
-
-    states: slice
-    inputs: slice
-    wrenches: dict[int, Array]
-    rate_q: Array
-    rate_v: Array
-    rate_z: Array
-    rate_u: Array
 
 
 class ForceFunctions:
@@ -175,29 +162,16 @@ class ForceFunctions:
         V_q = np.vstack([at[i].twist_by_q(self.chain, self._twist(tips[i])[3:], v) for i, _ in ends])
         return ends, np.r_[tuple(row for _, row in ends)], J, V_q
 
-    def state_changes(self, q: Sequence, v: Sequence, at: Mapping[int, TipChange]) -> Iterator[StateChange]:
-        """What changes with the states of forces, and how their rates change, force by force."""
+    def wrenches_by_states(self, q: Sequence, v: Sequence) -> Iterator[tuple[slice, dict[int, Array]]]:
+        """The states of every force that has any, and the derivatives (6, states) with them of the wrenches on tips in
+        their frames, by segment."""
         tips, states = self._tips(q, v), self.remembered(v)
         for force in self.chain.forces:
-            count = len(force.shape.states)
-            if not count:
-                continue
-            by = self._applied(force, tips, programs.state_slopes(force.shape), states)
-            loads = [(i, name) for i, name in zip(force.ends, ("first", "second"), strict=True) if i is not None]
-            over: dict[str, list] = {"start": states[force.states], "h": [0.0]}
-            found = self._applied(force, tips, programs.rate_slopes(force.shape), states, over=over)
-            _, own, J, V_q = self._ends(force, tips, v, at)
-            by_pose, by_twist = (mx.array(found[x], (count, 12))[:, own] for x in ("by_pose", "by_twist"))
-            by_state, by_start = (mx.array(found[x], (count, count)) for x in ("by_state", "by_start"))
-            yield StateChange(
-                force.states,
-                force.inputs,
-                {i: mx.array(by[name], (count, 6)).T for i, name in loads},
-                mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q),
-                mx.multiply(by_twist, J),
-                by_state + by_start,
-                mx.array(found["by_input"], (count, len(force.shape.inputs))),
-            )
+            if count := len(force.shape.states):
+                by = self._applied(force, tips, programs.state_slopes(force.shape), states)
+                ends = zip(force.ends, ("first", "second"), strict=True)
+                loads = {i: mx.array(by[name], (count, 6)).T for i, name in ends if i is not None}
+                yield force.states, loads
 
     def input_powers(self, q: Sequence, v: Sequence) -> list[Value]:
         """The power that each input of a force gives to the robot."""

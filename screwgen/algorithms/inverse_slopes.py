@@ -16,8 +16,8 @@ class Slopes:
     """Mass matrix and partial derivatives of the inverse dynamics with q and rates, (nv, nv) each.
 
     Derivatives with q are those along v: of a floating base with a twist-like change of its pose, ``pose exp(delta)``.
-    ``f_z`` (nv, n_internal): with internal states; ``z_q``, ``z_v``, ``z_u``: of their rates, with q, all of v (nvz)
-    and with the inputs (n_tau).
+    ``f_z`` (nv, n_internal): with internal states; ``z_q``, ``z_v``: of their rates, with q and with all of v (nvz),
+    zero in the rows of states of forces, which no law of a coordinate has.
     """
 
     M: Array
@@ -26,13 +26,12 @@ class Slopes:
     f_z: Array
     z_q: Array
     z_v: Array
-    z_u: Array
 
     @classmethod
     def zero(cls, chain: Chain, more: int = 0) -> Slopes:
         """None, with ``more`` rows of the first two derivatives."""
         nv, m = chain.nv, chain.n_internal
-        sizes = (nv, nv), (nv + more, nv), (nv + more, nv), (nv, m), (m, nv), (m, chain.nvz), (m, chain.n_tau)
+        sizes = (nv, nv), (nv + more, nv), (nv + more, nv), (nv, m), (m, nv), (m, chain.nvz)
         return cls(*(mx.zeros(*size) for size in sizes))
 
 
@@ -44,10 +43,3 @@ def of_numbers(found: Slopes) -> Slopes:
 def symmetric(lower: np.ndarray) -> np.ndarray:
     """The symmetric matrix with a lower triangle."""
     return np.tril(lower) + np.tril(lower, -1).T
-
-
-def with_internal_rates(
-    found: Slopes, by_q: np.ndarray, by_v: np.ndarray, by_tau: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The derivatives of accelerations with those of the rates of internal states below them."""
-    return np.vstack([by_q, found.z_q]), np.vstack([by_v, found.z_v]), np.vstack([by_tau, found.z_u])

@@ -16,7 +16,6 @@ import numpy as np
 
 from ..elements import FRICTION
 from ..ir.program import Array, Value
-from ..spec.forces import FORCE_INPUTS
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from ..topology.tree import BASE, TIP
@@ -24,7 +23,7 @@ from . import matrices as mx
 from . import rows as rw
 from .axis_laws import of_robot
 from .elastic_travels import GEAR_SLOPES, slope_names
-from .force_functions import StateChange, acting_tips
+from .force_functions import acting_tips
 from .functions import Functions
 from .inverse_slopes import Slopes as Slopes
 from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
@@ -88,20 +87,11 @@ def _take_forces(
         with f.section("forces: what their wrenches do as the tips move"):
             by_q, by_v = f.force_slopes(q, v, w_ext, at)
             out.f_q, out.f_v = out.f_q - by_q, out.f_v - by_v
-            for own in f.state_changes(q, v, at):
-                _take_states(f.chain, own, out, at)
-
-
-def _take_states(chain: Chain, own: StateChange, out: Slopes, at: Mapping[int, TipChange]) -> None:
-    """Take what the internal states of a force change; their rates."""
-    columns = np.arange(chain.n_internal)[chain.force_states.start - chain.nv :][own.states]
-    for i, by_state in own.wrenches.items():
-        out.f_z[:, columns] = out.f_z[:, columns] - mx.multiply(at[i].J.T, by_state)
-    out.z_q[columns], out.z_v[columns, : chain.nv] = own.rate_q, own.rate_v
-    out.z_v[np.ix_(columns, chain.nv + columns)] = own.rate_z
-    if chain.chooses_forces:
-        inputs = np.arange(chain.n_tau)[chain.inputs[FORCE_INPUTS]][own.inputs]
-        out.z_u[np.ix_(columns, inputs)] = own.rate_u
+            columns = np.arange(f.chain.n_internal)[f.chain.force_states.start - f.chain.nv :]
+            for states, loads in f.wrenches_by_states(q, v):
+                own = columns[states]
+                for i, by_state in loads.items():
+                    out.f_z[:, own] = out.f_z[:, own] - mx.multiply(at[i].J.T, by_state)
 
 
 def moving_slopes(

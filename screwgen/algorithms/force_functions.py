@@ -43,11 +43,14 @@ class ForceFunctions:
     acts: bool
     chosen: Sequence = ()
     """The inputs of all forces, in their order; zero where none are given."""
+    acting: Sequence = ()
+    """The inputs, where held laws remember them."""
     apply: Apply
     section: Callable[[str], AbstractContextManager]
     entries: Callable[[Sequence], Iterator[tuple[Input, list]]]
     _run: Callable[..., tuple[list, list]]
     motion: Callable[..., list[dict[str, list]]]
+    memory_rates: Callable[..., list]
 
     def alone(self) -> Self:
         """The functions of the same robot without weight, and without what acts on its tips."""
@@ -62,11 +65,13 @@ class ForceFunctions:
         return out
 
     def under_inputs(self, tau: Sequence) -> Self:
-        """The same functions with the inputs of forces that are among ``tau``, if there are any."""
-        if not (self.chain.chooses_forces and len(tau)):
+        """The same functions with the inputs of forces that are among ``tau``, and with what held laws see of them."""
+        remembers = self.chain.memory_offset[-1]
+        if not ((self.chain.chooses_forces or remembers) and len(tau)):
             return self
         out = copy(self)
         out.chosen = next((own for row, own in self.entries(tau) if row is FORCE_INPUTS), ())
+        out.acting = tau if remembers else ()
         return out
 
     def with_forces(self, q: Sequence, v: Sequence, w_ext: Sequence) -> Sequence:
@@ -93,18 +98,18 @@ class ForceFunctions:
             return [x for wrench in named for x in wrench]
 
     def remembered(self, v: Sequence) -> list[Value]:
-        """The internal states of all forces; zero where ``v`` has rates alone."""
+        """The internal states of all forces, then of held laws; zero where ``v`` has rates alone."""
         own = self.chain.force_states
         return list(v[own]) if len(v) == self.chain.nvz else [0.0] * self.chain.n_force_states
 
     def force_rates(self, q: Sequence, v: Sequence, start: Sequence, h: Value) -> list[Value]:
         """The rates of these states, the means over ``h`` from the states ``start``; see :class:`StateRate`."""
-        tips, states, out = self._tips(q, v), self.remembered(v), []
-        for force in self.chain.forces:
-            if force.shape.states:
-                over = {"start": list(start[force.states]), "h": [h]}
-                out += self._applied(force, tips, programs.state_rates(force.shape), states, over=over)["rate"]
-        return out
+        remembering, states, out = [x for x in self.chain.forces if x.shape.states], self.remembered(v), []
+        tips = self._tips(q, v) if remembering else ()
+        for force in remembering:
+            over = {"start": list(start[force.states]), "h": [h]}
+            out += self._applied(force, tips, programs.state_rates(force.shape), states, over=over)["rate"]
+        return out + self.memory_rates(q, v, start[len(out) :], h)
 
     def energy_of_forces(self, q: Sequence, v: Sequence) -> Value:
         """The potential of the forces between frames, J."""
@@ -186,7 +191,8 @@ class ForceFunctions:
 
     def wrenches_per_state(self, q: Sequence, v: Sequence) -> Iterator[list[Value]]:
         """The same with each internal state."""
-        return self._wrenches_per(q, v, lambda shape: len(shape.states), programs.state_slopes)
+        yield from self._wrenches_per(q, v, lambda shape: len(shape.states), programs.state_slopes)
+        yield from ([0.0] * (6 * self.chain.n) for _ in range(self.chain.memory_offset[-1]))
 
     def _wrenches_per(
         self, q: Sequence, v: Sequence, size: Callable[[InteractionClass], int], program: Callable

@@ -70,7 +70,7 @@ def by_inputs(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Ou
 
 
 def force_rates(chain: Chain, constants: str = "parameters") -> Program:
-    """``(q, v, tau, start, h) -> (rate)``: of the internal states of forces between frames, the means over h.
+    """``(q, v, tau, start, h) -> (rate)``: of the internal states of forces and of held laws, the means over h.
 
     ``v`` holds the states at which gain and decay are taken, ``start`` those from which they change.
     """

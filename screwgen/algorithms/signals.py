@@ -3,7 +3,8 @@
 Signals of a node are shared by a link and the links that it carries, those of the store are kept by a link between
 phases, others are of a call. In a shape ``q`` counts joint coordinates, ``m`` their rates, ``f`` given rates, ``a``
 torques, ``k`` brakes, ``t`` rotors, ``r`` modes, ``b`` their coupled pairs, ``g`` their directions, ``z`` internal
-states, ``c`` pieces of tendons, ``p`` points of exact rods. Angular parts first; accelerations less free fall.
+states, ``h`` those of held laws, ``c`` pieces of tendons, ``p`` points of exact rods. Angular parts first;
+accelerations less free fall.
 """
 
 from __future__ import annotations
@@ -33,6 +34,7 @@ class Signal(NamedTuple):
         """The shape for a link class."""
         counts: dict[Any, Any] = {"q": key.joint.nq, "m": key.joints, "a": key.torques, "t": len(key.added_axes)}
         counts |= {"c": len(key.tendons), "r": key.modes, "b": len(key.coupled), "z": len(key.internal)}
+        counts |= {"h": len(key.remembering)}
         counts |= {"g": len({d for d, _ in key.directions}), "k": len(key.brakes), "f": 6 * key.joint.given}
         return tuple(counts.get(n, n) if isinstance(n, str) else n for n in self.shape)
 
@@ -126,6 +128,9 @@ CALL: dict[str, Signal] = {
     "thetaddot": Signal(("t",), "rad/s^2", "-", "accelerations of the rotors"),
     "z": Signal(("z",), "rad, m", "-", "internal states, as deflections of bristles of friction"),
     "zdot": Signal(("z",), "rad/s, m/s", "-", "rates of the internal states"),
+    "memory": Signal(("h",), "various units", "-", "internal states of what a step makes of inputs"),
+    "memory_gain": Signal(("h",), "various units", "-", "their rates, but for the decay"),
+    "memory_decay": Signal(("h",), "1/s", "-", "decay of these states"),
     "m_theta": Signal(("t",), "kg*m^2", "-", "inertia of the rotors"),
     "f_theta": Signal(("t",), "N*m", "-", "force of gear and friction on the rotors"),
     "m_gear": Signal(("t",), "kg*m^2", "-", "inertia that couples rotor and joint"),

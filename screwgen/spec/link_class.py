@@ -209,6 +209,11 @@ class LinkClass:
         """What every step does to the inputs of the joint's axes before it holds them, in order."""
         return tuple(held_laws(self))
 
+    @cached_property
+    def remembering(self) -> tuple[HeldOnAxis, ...]:
+        """Those of them that have an internal state."""
+        return tuple(one for one in self.held_laws if one.kind.state is not None)
+
     @property
     def has_constant_inertia(self) -> bool:
         """Whether the joint's coordinates have an inertia of their own, the same in every posture."""

@@ -107,8 +107,7 @@ class Chain(Coordinates, ChosenInputs):
 
     @property
     def n_force_states(self) -> int:
-        """The number of internal states of forces between frames, the last entries of `v`."""
-        return self.forces[-1].states.stop if self.forces else 0
+        return (self.forces[-1].states.stop if self.forces else 0) + super().n_force_states
 
     @property
     def n_force_numbers(self) -> int:

@@ -28,8 +28,17 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     by = {name: entries(name) for name in slopes.outputs}
     made = pieces(rates, _place(chain, place, {"rate": entries("rate")}), (*POINTERS, "rate"))
     own = {"count": count, "first": chain.n_internal - count, "laws": chain.n_internal > count, "rates": made}
+    own |= {"whose": _whose(chain)}
     own |= {"stumpff": stumpff_slopes([slopes]), "by": list(by)}
     return {"force_states": own | {"slopes": pieces(slopes, _place(chain, place, by), (*POINTERS, *by))}}
+
+
+def _whose(chain: Chain) -> str:
+    """What has these states, for comments."""
+    if not chain.memory_offset[-1]:
+        return "the forces' internal states"
+    every = chain.memory_offset[-1] == chain.n_force_states
+    return "the inputs' internal states" if every else "the internal states of forces and inputs"
 
 
 def switches(chain: Chain) -> bool:

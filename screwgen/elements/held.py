@@ -64,5 +64,5 @@ class HeldLaw(AxisElement):
             return f"{said}\n\n$$\n\\tau &\\leftarrow {cls.FORMULA}\n$$\n\nwith {symbols}."
         letter = cls.state.symbol
         taken = rf"\tau &\leftarrow {cls.FORMULA}, & \quad \dot{{{letter}}} &= {cls.RATE}"
-        symbols = f"the internal state ${letter}$, {cls.state.meaning}, in whose rate $\\tau$ is what is held, and {symbols}"
+        symbols = f"the internal state ${letter}$, {cls.state.meaning}, whose rate has the $\\tau$ held, and {symbols}"
         return f"{said}\n\n$$\n{taken}\n$$\n\nwith {symbols}."

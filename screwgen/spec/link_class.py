@@ -236,7 +236,8 @@ class LinkClass:
 
     def _gears_add(self, term: str) -> bool:
         """Whether gears add one of the :class:`..elements.Terms` to an axis."""
-        return any(getattr(gear.linear(drive).axis, term)(drive.stated) for drive in self.drives)
+        added = lambda x: getattr(gear.linear(x.elastic, x.travel).axis, term)  # noqa: E731
+        return any(added(drive)(drive.stated) for drive in self.drives)
 
     @property
     def has_axis_forces(self) -> bool:

@@ -243,7 +243,7 @@ class Chain(Coordinates, ChosenInputs):
     def assumptions(self, quote: str = "'") -> list[str]:
         """What the models of the links assume, in sentences; names of links stand between ``quote``."""
         pairs = zip(self.segments, self.keys, strict=True)
-        return assumptions(((self.robot.links[s.link].name, key) for s, key in pairs if s.marker is None), quote)
+        return assumptions([(self.robot.links[s.link].name, key) for s, key in pairs if s.marker is None], quote)
 
     @property
     def identifiers(self) -> list[str]:

@@ -1,5 +1,6 @@
 """A law of what a step holds with a state, which the product does not contain: a limit of the rate of an input."""
 
+import warnings
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,7 +9,7 @@ from fmi_units import Unit
 from helpers import QUICK, arm, link, model_of, quick, quick_batch, relative
 from outside import Outside
 
-from screwgen import LimitWarning, assemble, rollout, simulate
+from screwgen import LimitWarning, assemble, equilibrium, rollout, simulate
 from screwgen.backends.fmi.variables import METHOD
 from screwgen.backends.latex.document import document
 from screwgen.backends.numpy.dae_step import SERIES
@@ -218,6 +219,18 @@ def test_they_stand_beside_other_states(kind):
         assert relative(found[-chain.n_internal :], want[-chain.n_internal :]) < 1e-4
     compiled, numeric = c.linearise(q, v, tau, w_ext)[1:], model.numpy().derivatives(q, v, tau, w_ext)
     assert all(relative(x, y) < 1e-9 for x, y in zip(compiled, numeric, strict=True))
+
+
+def test_at_rest_they_remember_what_acts():
+    """No rate, no limit; a limit of the effort besides is one there too."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", LimitWarning)
+        posture = equilibrium(MODEL, Q[:4], hold="all")
+    assert np.abs(posture.tau[:2]).max() > 1.0  # beyond 0.8 N·m, which a drive that exerted nothing would give
+    weak = driven()
+    weak["links"][0]["joint"]["limits"] = [{}, {"effort": 0.5}]
+    with pytest.warns(LimitWarning, match=r"upper.torque\[1\] is .* in this posture, and -?0.5 as a step holds it"):
+        equilibrium(model_of(weak), Q[:4], hold="all")
 
 
 def test_filters_know_them():

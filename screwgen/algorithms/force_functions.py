@@ -66,7 +66,7 @@ class ForceFunctions:
 
     def under_inputs(self, tau: Sequence) -> Self:
         """The same functions with the inputs of forces that are among ``tau``, and with what held laws see of them."""
-        remembers = self.chain.memory_offset[-1]
+        remembers = self.chain.n_held_states
         if not ((self.chain.chooses_forces or remembers) and len(tau)):
             return self
         out = copy(self)
@@ -192,7 +192,7 @@ class ForceFunctions:
     def wrenches_per_state(self, q: Sequence, v: Sequence) -> Iterator[list[Value]]:
         """The same with each internal state."""
         yield from self._wrenches_per(q, v, lambda shape: len(shape.states), programs.state_slopes)
-        yield from ([0.0] * (6 * self.chain.n) for _ in range(self.chain.memory_offset[-1]))
+        yield from ([0.0] * (6 * self.chain.n) for _ in range(self.chain.n_held_states))
 
     def _wrenches_per(
         self, q: Sequence, v: Sequence, size: Callable[[InteractionClass], int], program: Callable

@@ -194,7 +194,7 @@ class Functions(
 
     def memory_rates(self, q: Sequence, v: Sequence, start: Sequence, h: Value) -> list[Value]:
         """The rates of what held laws remember, the means over ``h`` from the states ``start``."""
-        if not self.chain.memory_offset[-1]:
+        if not self.chain.n_held_states:
             return []
         links = self._run(MEMORY, self.motion(q, v), self.of_links(self.acting or [0.0] * self.chain.n_joints))[0]
         gains, decays = ([x for link in links for x in link[f"memory_{name}"]] for name in ("gain", "decay"))

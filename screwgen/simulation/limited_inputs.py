@@ -38,7 +38,7 @@ def warn_at_rest(model: RobotModel, q: np.ndarray, tau: np.ndarray, p: np.ndarra
 def _at_rest(model: RobotModel, q: np.ndarray, tau: np.ndarray, p: np.ndarray) -> np.ndarray:
     """Rates and internal states (nvz,) at rest; what held laws remember of the inputs no longer changes under these."""
     chain, v = model.chain, np.zeros(model.chain.nvz)
-    if chain.memory_offset[-1]:
+    if chain.n_held_states:
         program, none = model.once("force rates", lambda: force_rates(chain)), np.zeros(chain.n_force_states)
         given = {"q": q, "v": v, "tau": tau, "h": np.zeros(1), "p": p}
         gain, less = (run(program, given | {"start": x}, on_arrays)[0]["rate"] for x in (none, none + 1.0))

@@ -329,8 +329,8 @@ class Coordinates(LawCoordinates):
             z = q[self.nv :] if len(q) == self.nvz else [0.0] * self.n_internal
             for i, link in enumerate(links):
                 link[INTERNAL[joint]] = list(z[self.z_offset[i] : self.z_offset[i + 1]])
-        if self.memory_offset[-1] and joint == "qdot":
-            z = q[self.held_states] if len(q) == self.nvz else [0.0] * self.memory_offset[-1]
+        if self.n_held_states and joint == "qdot":
+            z = q[self.held_states] if len(q) == self.nvz else [0.0] * self.n_held_states
             for i, link in enumerate(links):
                 link["memory"] = list(z[self.memory_offset[i] : self.memory_offset[i + 1]])
         return links

@@ -82,6 +82,11 @@ class LawCoordinates(JointCoordinates):
     @property
     def n_force_states(self) -> int:
         """The number of internal states of forces between frames, then of held laws, which follow no acceleration."""
+        return self.n_held_states
+
+    @property
+    def n_held_states(self) -> int:
+        """The number of internal states of held laws."""
         return self.memory_offset[-1]
 
     @property
@@ -92,7 +97,7 @@ class LawCoordinates(JointCoordinates):
     @property
     def held_states(self) -> slice:
         """Where in `v` those of held laws stand, the last."""
-        return slice(self.nvz - self.memory_offset[-1], self.nvz)
+        return slice(self.nvz - self.n_held_states, self.nvz)
 
     @property
     def nvz(self) -> int:

@@ -35,9 +35,9 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
 
 def _whose(chain: Chain) -> str:
     """What has these states, for comments."""
-    if not chain.memory_offset[-1]:
+    if not chain.n_held_states:
         return "the forces' internal states"
-    every = chain.memory_offset[-1] == chain.n_force_states
+    every = chain.n_held_states == chain.n_force_states
     return "the inputs' internal states" if every else "the internal states of forces and inputs"
 
 

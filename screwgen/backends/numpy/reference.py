@@ -289,7 +289,7 @@ def _bristles(functions: Functions) -> list[float]:
     acting = (one for i, x in enumerate(state) if chain.keys[i].internal for one in functions.laws(i, x))
     of_laws = [float(cast(float, one.values["by_z"])) for one in acting if one.law.state is not None]
     sizes = (state.size for force in chain.forces for state in force.shape.states.values())
-    return of_laws + [20.0 / size for size in sizes] + [1.0] * chain.memory_offset[-1]
+    return of_laws + [20.0 / size for size in sizes] + [1.0] * chain.n_held_states
 
 
 def _closed(chain: Chain, q: list[float]) -> list[float]:

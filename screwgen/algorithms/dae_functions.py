@@ -18,7 +18,7 @@ from ..topology.chain import Chain
 from .functions import ASSEMBLY, DAE_FORWARD, DAE_RATES, PLACEMENT, PROJECTION, ROTORS, Functions
 from .joint_moves import coordinate_rates
 from .schedule import Algorithm
-from .signals import edge_name
+from .station_names import edge_name
 
 POSE = ("qw", "qx", "qy", "qz", "px", "py", "pz")
 

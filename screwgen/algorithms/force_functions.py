@@ -192,7 +192,8 @@ class ForceFunctions:
     def wrenches_per_state(self, q: Sequence, v: Sequence) -> Iterator[list[Value]]:
         """The same with each internal state."""
         yield from self._wrenches_per(q, v, lambda shape: len(shape.states), programs.state_slopes)
-        yield from ([0.0] * (6 * self.chain.n) for _ in range(self.chain.n_held_states))
+        for _ in range(self.chain.n_held_states):
+            yield [0.0] * (6 * self.chain.n)
 
     def _wrenches_per(
         self, q: Sequence, v: Sequence, size: Callable[[InteractionClass], int], program: Callable

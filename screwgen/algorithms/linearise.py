@@ -30,7 +30,8 @@ from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
 from .loops import Loads
 from .schedule import COLUMNS
 from .scope import OF_TIP
-from .signals import STORE, at_station, edge_name, plain
+from .signals import STORE
+from .station_names import at_station, edge_name, plain
 from .travels import INERTIA
 
 PAIRS = (

@@ -9,11 +9,11 @@ accelerations less free fall.
 
 from __future__ import annotations
 
-import re
 from typing import Any, NamedTuple
 
 from ..ir.names import component
 from ..spec.link_class import LinkClass
+from .station_names import plain
 
 F_I, TIP, INERTIAL, CARRIER = "F_i", "tip frame", "inertial frame", "F_i of the node's link"
 TWIST, ACCELERATION, WRENCH, INERTIA = "rad/s, m/s", "rad/s^2, m/s^2", "N*m, N", "kg*m^2, kg*m, kg"
@@ -315,26 +315,8 @@ ROBOT = {
 }
 """Of the whole robot, by the struct of the generated C that holds them; sizes are its constants."""
 
-STATION = re.compile(r"_at\d+$")
-"""The end of the name of what a link has at a station, as it has at its tip."""
-
 UNTYPED = Signal((), "-", "-", "")
 """The type of values that no phase hands on: their entries are numbered."""
-
-
-def plain(name: str) -> str:
-    """The name of a signal at the tip from that of the same at a station."""
-    return STATION.sub("", name)
-
-
-def at_station(name: str, number: int) -> str:
-    """The name of a signal of the tip at a station of the link: `at0.p` of `tip.p`, `w.r_T_at0` of `w.r_T`."""
-    return f"at{number}.{name[4:]}" if name.startswith("tip.") else f"{name}_at{number}"
-
-
-def edge_name(name: str, station: int) -> str:
-    """The name of what is computed for a link that is carried at a station, or at the tip (-1)."""
-    return name if station < 0 else at_station(name, station)
 
 
 def is_node(where: str) -> bool:

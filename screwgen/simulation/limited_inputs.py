@@ -39,11 +39,11 @@ def _at_rest(model: RobotModel, q: np.ndarray, tau: np.ndarray, p: np.ndarray) -
     """Rates and internal states (nvz,) at rest; what held laws remember of the inputs no longer changes under these."""
     chain, v = model.chain, np.zeros(model.chain.nvz)
     if chain.n_held_states:
-        program, none = model.once("force rates", lambda: force_rates(chain)), np.zeros(chain.n_force_states)
-        given = {"q": q, "v": v, "tau": tau, "h": np.zeros(1), "p": p}
-        gain, less = (run(program, given | {"start": x}, on_arrays)[0]["rate"] for x in (none, none + 1.0))
-        decay = np.subtract(gain, less)
-        v[chain.force_states] = np.divide(gain, decay, out=none, where=decay > 0)
+        program, count = model.once("force rates", lambda: force_rates(chain)), chain.n_force_states
+        given = {"q": list(q), "v": list(v), "tau": list(tau), "h": [0.0], "p": list(p)}
+        rates = (run(program, given | {"start": [z] * count}, on_arrays)[0]["rate"] for z in (0.0, 1.0))
+        gain, less = (np.array(x, float) for x in rates)
+        v[chain.force_states] = np.divide(gain, gain - less, out=np.zeros(count), where=gain > less)
         v[chain.force_states.start : chain.held_states.start] = 0.0
     return v
 

@@ -9,7 +9,7 @@ from fmi_units import Unit
 from helpers import QUICK, arm, link, model_of, quick, quick_batch, relative
 from outside import Outside
 
-from screwgen import LimitWarning, assemble, equilibrium, rollout, simulate
+from screwgen import LimitWarning, UsageError, assemble, equilibrium, rollout, simulate
 from screwgen.backends.fmi.variables import METHOD
 from screwgen.backends.latex.document import document
 from screwgen.backends.numpy.dae_step import SERIES
@@ -231,6 +231,19 @@ def test_at_rest_they_remember_what_acts():
     weak["links"][0]["joint"]["limits"] = [{}, {"effort": 0.5}]
     with pytest.warns(LimitWarning, match=r"upper.torque\[1\] is .* in this posture, and -?0.5 as a step holds it"):
         equilibrium(model_of(weak), Q[:4], hold="all")
+
+
+def test_what_does_not_know_them_says_so(tmp_path):
+    (tmp_path / "mpc.toml").write_text(
+        "[horizon]\nstep = 0.02\nintervals = 6\n[goal]\njoints = [0.1]\n[cost]\njoints = 1.0\ntorques = 0.1\n"
+    )
+    model = model_of(arm(link("a", 0.5, "z", joint={"elements": LIMITS[0]})))
+    with pytest.raises(
+        UsageError, match="has drives whose steps hold what their motion allows; predictive control in C"
+    ):
+        model.c_files(mpc=tmp_path / "mpc.toml")
+    with pytest.raises(UsageError, match="no equations in scalars: its forces or inputs have internal states"):
+        model.equations()
 
 
 def test_filters_know_them():

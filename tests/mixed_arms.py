@@ -3,9 +3,10 @@
 Trees of up to eight links that are carried at tips or along their parents, mixed joints, stops, cylinders, four-bar
 linkages, rigid and elastic drives with friction, modes of all orders, sections that vary, shear, bodies from files,
 segments, damping of the material, fixed and floating bases, couplings, up to two loops, springs and ropes between
-frames, pushes; those that are dressed have ball joints, springs, tendons and markers besides. What the robot file
-refuses is counted and drawn without. Where loops or couplings close the tree, the judge is the oracle's mass matrix and
-bias with Lagrange multipliers.
+frames, pushes; those that are dressed have ball joints, springs, tendons and markers besides. With `--by-p` it is
+derivatives by a parameter of each that are judged, by differences in 50 digits. What the robot file refuses is counted
+and drawn without. Where loops or couplings close the tree, the judge is the oracle's mass matrix and bias with Lagrange
+multipliers.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from tempfile import TemporaryDirectory
 import flexible_robots as fr
 import numpy as np
 import random_robots as rr
-from conformance import numbers
+from conformance import numbers, slopes
 from conformance.cases import Case
 from conformance.judge import Judge
 from conformance.twin import as_turns, first_piece
@@ -260,7 +261,7 @@ def main() -> int:
                 case = drawn(seed, Path(folder), dress=dress)
             refused.update(set(case.refused))
             said, text = "holds", described(case)
-            judged(case, layout_of(seed))
+            judged(case, layout_of(seed)) if "--by-p" not in sys.argv else slopes.by_parameters(case)
         except AssertionError as error:
             said, text = "FAILS", f"{text}: {error}"
         except Exception as error:  # the sweep goes on; what was raised is a failure

@@ -20,6 +20,7 @@ from screwgen.algorithms.response import Response
 from screwgen.algorithms.robot_functions import BY_NAME
 from screwgen.backends.casadi.functions import coordinate_rates, expressions, side_by_side
 from screwgen.backends.fmi import description
+from screwgen.backends.fmi.units import exponents, spelled
 from screwgen.backends.fmi.variables import variables
 from screwgen.bodies.validity import MEASURES
 from screwgen.errors import TargetWarning
@@ -256,6 +257,12 @@ def test_terminals_and_units(target):
             known = {x.get("name") for x in description.find("ModelVariables")}
             names = [x.get("name") for x in terminals.iter("Terminal")]
             assert named <= known and names[:2] == ["boom.joint[0]", "boom.joint[1]"] and names[-1] == "load.tip"
+
+
+def test_a_unit_that_the_si_has_not_is_known_by_its_name():
+    """A force of one's own may state what it likes, and electric units are taken to pieces."""
+    assert exponents("bar") is None and exponents("N/bar") is None and exponents("1") == {}
+    assert exponents("Pa") == exponents("N/m²") and exponents("V·A") == exponents("W") and spelled("Ω·m") == "Ohm.m"
 
 
 def test_axes_behind_ball_joints_and_tendons_are_terminals():

@@ -71,7 +71,7 @@ def constant(s: Scope, name: str, axis: int) -> Value:
         return gear.travelling(stated)
     part, term = TERMS[name]
     own = read(name) if joint.get(name) else 0.0
-    return own + getattr(getattr(gear.linear(drive), part), term)(stated)
+    return own + getattr(getattr(gear.linear(drive.elastic, drive.travel), part), term)(stated)
 
 
 def labelled(s: Scope, label: str) -> Value | None:

@@ -18,7 +18,7 @@ from ..topology.chain import Chain
 from .functions import ASSEMBLY, DAE_FORWARD, DAE_RATES, PLACEMENT, PROJECTION, ROTORS, Functions
 from .joint_moves import coordinate_rates
 from .schedule import Algorithm
-from .signals import edge_name
+from .station_names import edge_name
 
 POSE = ("qw", "qx", "qy", "qz", "px", "py", "pz")
 
@@ -161,7 +161,7 @@ class DaeFunctions(Functions):
         """
         links = self._solve(x, tau, w_ext)
         wrench = [w for link in links for w in link["wrench"]]
-        xdot, vdot = self._state_rates(x, links), self.chain.join(links, "qddot", "etaddot")
+        xdot, vdot = self.under_inputs(tau)._state_rates(x, links), self.chain.join(links, "qddot", "etaddot")
         return xdot, vdot + (xdot[len(xdot) - self.chain.n_internal :] if self.given is None else []), wrench
 
     def _state_rates(self, x: Sequence, links: Sequence[Mapping[str, list]]) -> list:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from copy import copy
 from types import MappingProxyType
-from typing import Any, NamedTuple, Self
+from typing import Any, Self
 
 import numpy as np
 
@@ -31,17 +31,6 @@ POSES = Phase(mo.poses, OUTWARD)
 MOTION: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.tip_twist, OUTWARD))
 
 
-class StateChange(NamedTuple):
-    """The derivatives that states of a force have: of the wrenches on tips in their frames with the states,
-    (6, states) by segment, and of the rates of the states with q, rates and states."""
-
-    states: slice
-    wrenches: dict[int, Array]
-    rate_q: Array
-    rate_v: Array
-    rate_z: Array
-
-
 class ForceFunctions:
     """What :class:`.functions.Functions` has besides for what acts on tips; the attributes are set there.
 
@@ -54,11 +43,14 @@ class ForceFunctions:
     acts: bool
     chosen: Sequence = ()
     """The inputs of all forces, in their order; zero where none are given."""
+    acting: Sequence = ()
+    """The inputs, where held laws remember them."""
     apply: Apply
     section: Callable[[str], AbstractContextManager]
     entries: Callable[[Sequence], Iterator[tuple[Input, list]]]
     _run: Callable[..., tuple[list, list]]
     motion: Callable[..., list[dict[str, list]]]
+    memory_rates: Callable[..., list]
 
     def alone(self) -> Self:
         """The functions of the same robot without weight, and without what acts on its tips."""
@@ -73,11 +65,13 @@ class ForceFunctions:
         return out
 
     def under_inputs(self, tau: Sequence) -> Self:
-        """The same functions with the inputs of forces that are among ``tau``, if there are any."""
-        if not (self.chain.chooses_forces and len(tau)):
+        """The same functions with the inputs of forces that are among ``tau``, and with what held laws see of them."""
+        remembers = self.chain.n_held_states
+        if not ((self.chain.chooses_forces or remembers) and len(tau)):
             return self
         out = copy(self)
         out.chosen = next((own for row, own in self.entries(tau) if row is FORCE_INPUTS), ())
+        out.acting = tau if remembers else ()
         return out
 
     def with_forces(self, q: Sequence, v: Sequence, w_ext: Sequence) -> Sequence:
@@ -104,18 +98,18 @@ class ForceFunctions:
             return [x for wrench in named for x in wrench]
 
     def remembered(self, v: Sequence) -> list[Value]:
-        """The internal states of all forces; zero where ``v`` has rates alone."""
+        """The internal states of all forces, then of held laws; zero where ``v`` has rates alone."""
         own = self.chain.force_states
         return list(v[own]) if len(v) == self.chain.nvz else [0.0] * self.chain.n_force_states
 
     def force_rates(self, q: Sequence, v: Sequence, start: Sequence, h: Value) -> list[Value]:
         """The rates of these states, the means over ``h`` from the states ``start``; see :class:`StateRate`."""
-        tips, states, out = self._tips(q, v), self.remembered(v), []
-        for force in self.chain.forces:
-            if force.shape.states:
-                over = {"start": list(start[force.states]), "h": [h]}
-                out += self._applied(force, tips, programs.state_rates(force.shape), states, over=over)["rate"]
-        return out
+        remembering, states, out = [x for x in self.chain.forces if x.shape.states], self.remembered(v), []
+        tips = self._tips(q, v) if remembering else ()
+        for force in remembering:
+            over = {"start": list(start[force.states]), "h": [h]}
+            out += self._applied(force, tips, programs.state_rates(force.shape), states, over=over)["rate"]
+        return out + self.memory_rates(q, v, start[len(out) :], h)
 
     def energy_of_forces(self, q: Sequence, v: Sequence) -> Value:
         """The potential of the forces between frames, J."""
@@ -173,27 +167,16 @@ class ForceFunctions:
         V_q = np.vstack([at[i].twist_by_q(self.chain, self._twist(tips[i])[3:], v) for i, _ in ends])
         return ends, np.r_[tuple(row for _, row in ends)], J, V_q
 
-    def state_changes(self, q: Sequence, v: Sequence, at: Mapping[int, TipChange]) -> Iterator[StateChange]:
-        """What changes with the states of forces, and how their rates change, force by force."""
+    def wrenches_by_states(self, q: Sequence, v: Sequence) -> Iterator[tuple[slice, dict[int, Array]]]:
+        """The states of every force that has any, and the derivatives (6, states) with them of the wrenches on tips in
+        their frames, by segment."""
         tips, states = self._tips(q, v), self.remembered(v)
         for force in self.chain.forces:
-            count = len(force.shape.states)
-            if not count:
-                continue
-            by = self._applied(force, tips, programs.state_slopes(force.shape), states)
-            loads = [(i, name) for i, name in zip(force.ends, ("first", "second"), strict=True) if i is not None]
-            over: dict[str, list] = {"start": states[force.states], "h": [0.0]}
-            found = self._applied(force, tips, programs.rate_slopes(force.shape), states, over=over)
-            _, own, J, V_q = self._ends(force, tips, v, at)
-            by_pose, by_twist = (mx.array(found[x], (count, 12))[:, own] for x in ("by_pose", "by_twist"))
-            by_state, by_start = (mx.array(found[x], (count, count)) for x in ("by_state", "by_start"))
-            yield StateChange(
-                force.states,
-                {i: mx.array(by[name], (count, 6)).T for i, name in loads},
-                mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q),
-                mx.multiply(by_twist, J),
-                by_state + by_start,
-            )
+            if count := len(force.shape.states):
+                by = self._applied(force, tips, programs.state_slopes(force.shape), states)
+                ends = zip(force.ends, ("first", "second"), strict=True)
+                loads = {i: mx.array(by[name], (count, 6)).T for i, name in ends if i is not None}
+                yield force.states, loads
 
     def input_powers(self, q: Sequence, v: Sequence) -> list[Value]:
         """The power that each input of a force gives to the robot."""
@@ -208,7 +191,9 @@ class ForceFunctions:
 
     def wrenches_per_state(self, q: Sequence, v: Sequence) -> Iterator[list[Value]]:
         """The same with each internal state."""
-        return self._wrenches_per(q, v, lambda shape: len(shape.states), programs.state_slopes)
+        yield from self._wrenches_per(q, v, lambda shape: len(shape.states), programs.state_slopes)
+        for _ in range(self.chain.n_held_states):
+            yield [0.0] * (6 * self.chain.n)
 
     def _wrenches_per(
         self, q: Sequence, v: Sequence, size: Callable[[InteractionClass], int], program: Callable

@@ -74,35 +74,11 @@ def _by(tracer: Tracer, shape: InteractionClass, inputs: dict[str, Array], first
 @cache
 def state_rates(shape: InteractionClass) -> Program:
     """``(R, d, V_A, V_B, numbers, start, h) -> (rate)``: of its states, the mean over h from ``start``."""
-    tracer, inputs = _with_start(shape)
+    tracer, inputs = _inputs(shape, STATE)
     return _program(tracer, shape, STATE, rate=mx.array(_mean_rates(tracer, shape, inputs)))
 
 
-@cache
-def rate_slopes(shape: InteractionClass) -> Program:
-    """``-> (by_pose, by_twist, by_state, by_start)``: their derivatives, (states, 12) of poses and twists as of
-    :func:`slopes`, (states, states) of the states and of those at the start."""
-    tracer, inputs = _with_start(shape)
-    found = _mean_rates(tracer, shape, inputs)
-    changes = pose_changes(inputs["R"].reshape(3, 3), inputs["d"])
-    own = [*inputs["numbers"]][shape.size - len(shape.states) :]
-    by = {"by_pose": mx.array([tangents(found, seed) for seed in changes]).T}
-    by |= {
-        name: mx.array(columns(found, [*of])).T
-        for name, of in (
-            ("by_twist", [*inputs["V_A"], *inputs["V_B"]]),
-            ("by_state", own),
-            ("by_start", inputs["start"]),
-        )
-    }
-    return _program(tracer, shape, STATE, **by)
-
-
 STATE = "R d V_A V_B start h"
-
-
-def _with_start(shape: InteractionClass) -> tuple[Tracer, dict[str, Array]]:
-    return _inputs(shape, STATE)
 
 
 def _mean_rates(tracer: Tracer, shape: InteractionClass, inputs: dict[str, Array]) -> list:

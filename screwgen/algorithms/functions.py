@@ -20,7 +20,7 @@ from .brake_functions import BrakeFunctions
 from .compliant_functions import CompliantFunctions
 from .force_functions import MOTION as MOTION
 from .force_functions import POSES, ForceFunctions
-from .held import hold
+from .held import hold, remember
 from .input_functions import InputFunctions
 from .joint_moves import rates
 from .law_programs import forces
@@ -43,6 +43,7 @@ SENSITIVITY: Algorithm = (Phase(given_motion.motion, OUTWARD), Phase(sy.answers,
 LEVERS: Algorithm = (Phase(travels.levers, OUTWARD),)
 CYLINDERS: Algorithm = (Phase(travels.cylinders, OUTWARD),)
 HOLD: Algorithm = (Phase(hold, OUTWARD),)
+MEMORY: Algorithm = (Phase(remember, OUTWARD),)
 
 DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.twist_rates, OUTWARD))
 ROTORS: Algorithm = (Phase(rotor_accelerations, OUTWARD),)
@@ -191,6 +192,14 @@ class Functions(
         of_laws = [x for link in self.link_internal_rates(self.motion(q, v)) for x in link["zdot"]]
         return of_laws + (self.force_rates(q, v, self.remembered(v), 0.0) if self.chain.n_force_states else [])
 
+    def memory_rates(self, q: Sequence, v: Sequence, start: Sequence, h: Value) -> list[Value]:
+        """The rates of what held laws remember, the means over ``h`` from the states ``start``."""
+        if not self.chain.n_held_states:
+            return []
+        links = self._run(MEMORY, self.motion(q, v), self.of_links(self.acting or [0.0] * self.chain.n_joints))[0]
+        gains, decays = ([x for link in links for x in link[f"memory_{name}"]] for name in ("gain", "decay"))
+        return [(g - d * z) / (1.0 + h * d) for g, d, z in zip(gains, decays, start, strict=True)]
+
     def link_internal_rates(self, state: Sequence[Mapping[str, list]]) -> list[dict[str, list]]:
         """The same link by link in a motion."""
         laws = [list(self.laws(i, x)) if self.chain.keys[i].internal else [] for i, x in enumerate(state)]
@@ -220,7 +229,7 @@ class Functions(
         wrench = [x for link in links for x in link["wrench"]]
         vdot = self.chain.join(links, "qddot", "etaddot")
         if self.chain.n_internal and self.given is None:  # integrators that give forces find these rates themselves
-            vdot += self.internal_rates(q, v)
+            vdot += self.under_inputs(tau).internal_rates(q, v)
         return vdot, wrench, axial_motions(links)
 
     def forward(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[list, list]:

@@ -16,7 +16,8 @@ class Slopes:
     """Mass matrix and partial derivatives of the inverse dynamics with q and rates, (nv, nv) each.
 
     Derivatives with q are those along v: of a floating base with a twist-like change of its pose, ``pose exp(delta)``.
-    ``f_z`` (nv, n_internal): with internal states; ``z_q``, ``z_v``: of their rates, with q and with all of v (nvz).
+    ``f_z`` (nv, n_internal): with internal states; ``z_q``, ``z_v``: of their rates, with q and with all of v (nvz),
+    zero in the rows of states of forces, which no law of a coordinate has.
     """
 
     M: Array
@@ -42,11 +43,3 @@ def of_numbers(found: Slopes) -> Slopes:
 def symmetric(lower: np.ndarray) -> np.ndarray:
     """The symmetric matrix with a lower triangle."""
     return np.tril(lower) + np.tril(lower, -1).T
-
-
-def with_internal_rates(
-    found: Slopes, by_q: np.ndarray, by_v: np.ndarray, by_tau: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The derivatives of accelerations with those of the rates of internal states below them."""
-    nothing = np.zeros((len(found.z_q), by_tau.shape[1]))
-    return np.vstack([by_q, found.z_q]), np.vstack([by_v, found.z_v]), np.vstack([by_tau, nothing])

@@ -23,14 +23,15 @@ from . import matrices as mx
 from . import rows as rw
 from .axis_laws import of_robot
 from .elastic_travels import GEAR_SLOPES, slope_names
-from .force_functions import StateChange, acting_tips
+from .force_functions import acting_tips
 from .functions import Functions
 from .inverse_slopes import Slopes as Slopes
 from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
 from .loops import Loads
 from .schedule import COLUMNS
 from .scope import OF_TIP
-from .signals import STORE, at_station, edge_name, plain
+from .signals import STORE
+from .station_names import at_station, edge_name, plain
 from .travels import INERTIA
 
 PAIRS = (
@@ -87,17 +88,11 @@ def _take_forces(
         with f.section("forces: what their wrenches do as the tips move"):
             by_q, by_v = f.force_slopes(q, v, w_ext, at)
             out.f_q, out.f_v = out.f_q - by_q, out.f_v - by_v
-            for own in f.state_changes(q, v, at):
-                _take_states(f.chain, own, out, at)
-
-
-def _take_states(chain: Chain, own: StateChange, out: Slopes, at: Mapping[int, TipChange]) -> None:
-    """Take what the internal states of a force change; their rates."""
-    columns = np.arange(chain.n_internal)[chain.force_states.start - chain.nv :][own.states]
-    for i, by_state in own.wrenches.items():
-        out.f_z[:, columns] = out.f_z[:, columns] - mx.multiply(at[i].J.T, by_state)
-    out.z_q[columns], out.z_v[columns, : chain.nv] = own.rate_q, own.rate_v
-    out.z_v[np.ix_(columns, chain.nv + columns)] = own.rate_z
+            columns = np.arange(f.chain.n_internal)[f.chain.force_states.start - f.chain.nv :]
+            for states, loads in f.wrenches_by_states(q, v):
+                own = columns[states]
+                for i, by_state in loads.items():
+                    out.f_z[:, own] = out.f_z[:, own] - mx.multiply(at[i].J.T, by_state)
 
 
 def moving_slopes(

@@ -70,7 +70,7 @@ def by_inputs(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Ou
 
 
 def force_rates(chain: Chain, constants: str = "parameters") -> Program:
-    """``(q, v, tau, start, h) -> (rate)``: of the internal states of forces between frames, the means over h.
+    """``(q, v, tau, start, h) -> (rate)``: of the internal states of forces and of held laws, the means over h.
 
     ``v`` holds the states at which gain and decay are taken, ``start`` those from which they change.
     """
@@ -84,7 +84,8 @@ def force_rates(chain: Chain, constants: str = "parameters") -> Program:
 
 def force_rate_slopes(chain: Chain, constants: str = "constants") -> Program:
     """``(q, v, tau, start, h) -> (by_q, by_v, by_start)``: how these rates change along coordinates, with rates and
-    states, and with the states at the start, (states, nv), (states, nvz) and (states, states) row by row."""
+    states, and with the states at the start, (states, nv), (states, nvz) and (states, states) row by row. Where inputs
+    change them: also ``by_tau`` (states, n_tau)."""
 
     def body(f: Functions, x: Mapping[str, Sequence]) -> fused.Outputs:
         rates = f.under_inputs(x["tau"]).force_rates(x["q"], x["v"], x["start"], x["h"][0])
@@ -92,6 +93,8 @@ def force_rate_slopes(chain: Chain, constants: str = "constants") -> Program:
         ways = [zip(x["q"], f.coordinate_rates(x["q"], unit), strict=True) for unit in units]
         by_q = [tangents(rates, {a: b for a, b in way if isinstance(a, Node)}) for way in ways]
         rows = {"by_q": by_q, "by_v": columns(rates, x["v"]), "by_start": columns(rates, x["start"])}
+        by_tau = columns(rates, x["tau"])
+        rows |= {"by_tau": by_tau} if any(isinstance(s, Node) or s for row in by_tau for s in row) else {}
         return {name: [row[k] for k in range(len(rates)) for row in found] for name, found in rows.items()}
 
     given = {**fused.inputs(chain, "q v tau"), "start": chain.n_force_states, "h": 1}

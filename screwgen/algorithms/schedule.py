@@ -167,7 +167,8 @@ def seen_by(chain: Chain, *algorithms: Algorithm) -> Chain:
 def constant_labels(chain: Chain, i: int, algorithms: Sequence[Algorithm]) -> tuple[str, ...]:
     """The constants of a link that programs ask for, sorted."""
     programs = [p for a in algorithms for p in trace(seen_by(chain, a).keys[i], a)]
-    return tuple(sorted({name[2:] for p in programs for name in p.inputs if name.startswith("c.")}))
+    remembered = {label for one in chain.keys[i].remembering for label in one.labels}  # their rates follow all dynamics
+    return tuple(sorted({name[2:] for p in programs for name in p.inputs if name.startswith("c.")} | remembered))
 
 
 SUMMED = frozenset(f"base.{name}" for name in ("Lambda", "p", "f", "Gamma", "Lambda_T"))

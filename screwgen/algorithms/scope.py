@@ -36,7 +36,8 @@ from . import matrices as mx
 from .joint_rows import joint_rows_block
 from .link_rows import link_rows_block
 from .rod_sections import RodMotion, along_rod
-from .signals import PER_CHILD, at_station, signal, type_of
+from .signals import PER_CHILD, signal, type_of
+from .station_names import at_station
 
 BLOCKS: dict[str, Callable[[LinkClass], Block]] = {
     "joint": joint_block,

@@ -3,16 +3,17 @@
 Signals of a node are shared by a link and the links that it carries, those of the store are kept by a link between
 phases, others are of a call. In a shape ``q`` counts joint coordinates, ``m`` their rates, ``f`` given rates, ``a``
 torques, ``k`` brakes, ``t`` rotors, ``r`` modes, ``b`` their coupled pairs, ``g`` their directions, ``z`` internal
-states, ``c`` pieces of tendons, ``p`` points of exact rods. Angular parts first; accelerations less free fall.
+states, ``h`` those of held laws, ``c`` pieces of tendons, ``p`` points of exact rods. Angular parts first;
+accelerations less free fall.
 """
 
 from __future__ import annotations
 
-import re
 from typing import Any, NamedTuple
 
 from ..ir.names import component
 from ..spec.link_class import LinkClass
+from .station_names import plain
 
 F_I, TIP, INERTIAL, CARRIER = "F_i", "tip frame", "inertial frame", "F_i of the node's link"
 TWIST, ACCELERATION, WRENCH, INERTIA = "rad/s, m/s", "rad/s^2, m/s^2", "N*m, N", "kg*m^2, kg*m, kg"
@@ -33,6 +34,7 @@ class Signal(NamedTuple):
         """The shape for a link class."""
         counts: dict[Any, Any] = {"q": key.joint.nq, "m": key.joints, "a": key.torques, "t": len(key.added_axes)}
         counts |= {"c": len(key.tendons), "r": key.modes, "b": len(key.coupled), "z": len(key.internal)}
+        counts |= {"h": len(key.remembering)}
         counts |= {"g": len({d for d, _ in key.directions}), "k": len(key.brakes), "f": 6 * key.joint.given}
         return tuple(counts.get(n, n) if isinstance(n, str) else n for n in self.shape)
 
@@ -126,6 +128,9 @@ CALL: dict[str, Signal] = {
     "thetaddot": Signal(("t",), "rad/s^2", "-", "accelerations of the rotors"),
     "z": Signal(("z",), "rad, m", "-", "internal states, as deflections of bristles of friction"),
     "zdot": Signal(("z",), "rad/s, m/s", "-", "rates of the internal states"),
+    "memory": Signal(("h",), "various units", "-", "internal states of what a step makes of inputs"),
+    "memory_gain": Signal(("h",), "various units", "-", "their rates, but for the decay"),
+    "memory_decay": Signal(("h",), "1/s", "-", "decay of these states"),
     "m_theta": Signal(("t",), "kg*m^2", "-", "inertia of the rotors"),
     "f_theta": Signal(("t",), "N*m", "-", "force of gear and friction on the rotors"),
     "m_gear": Signal(("t",), "kg*m^2", "-", "inertia that couples rotor and joint"),
@@ -310,26 +315,8 @@ ROBOT = {
 }
 """Of the whole robot, by the struct of the generated C that holds them; sizes are its constants."""
 
-STATION = re.compile(r"_at\d+$")
-"""The end of the name of what a link has at a station, as it has at its tip."""
-
 UNTYPED = Signal((), "-", "-", "")
 """The type of values that no phase hands on: their entries are numbered."""
-
-
-def plain(name: str) -> str:
-    """The name of a signal at the tip from that of the same at a station."""
-    return STATION.sub("", name)
-
-
-def at_station(name: str, number: int) -> str:
-    """The name of a signal of the tip at a station of the link: `at0.p` of `tip.p`, `w.r_T_at0` of `w.r_T`."""
-    return f"at{number}.{name[4:]}" if name.startswith("tip.") else f"{name}_at{number}"
-
-
-def edge_name(name: str, station: int) -> str:
-    """The name of what is computed for a link that is carried at a station, or at the tip (-1)."""
-    return name if station < 0 else at_station(name, station)
 
 
 def is_node(where: str) -> bool:

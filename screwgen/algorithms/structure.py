@@ -16,7 +16,8 @@ from ..ir.replay import bind
 from ..topology.chain import Chain
 from .functions import nodes
 from .schedule import SUMMED, Algorithm, execute, trace, visits
-from .signals import PER_CHILD, edge_name, is_node
+from .signals import PER_CHILD, is_node
+from .station_names import edge_name
 
 
 class Unknown:

@@ -17,6 +17,7 @@ from .friction import LOADED as LOADED
 from .friction import Size as Size
 from .gear import ROTOR as ROTOR
 from .held import HeldLaw as HeldLaw
+from .held import MemoryRate as MemoryRate
 from .law import Bristle as Bristle
 from .law import Key as Key
 from .law import Law as Law

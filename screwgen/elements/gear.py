@@ -11,22 +11,11 @@ the travel, so that spring and damper of the gear act on it alone, and the postu
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Protocol
+from typing import Any
 
 from . import friction
 from .added import Added, Linear, Stated, Terms
 from .travel import Travel
-
-
-class Driving(Protocol):
-    """A drive: whether its gear is elastic, and its transmission, if it has one."""
-
-    @property
-    def elastic(self) -> bool: ...
-
-    @property
-    def travel(self) -> Travel | None: ...
-
 
 ROTOR = Added("theta", "rad", "Rotor angles", "θ")
 
@@ -62,11 +51,11 @@ ALONG_TRAVEL = Linear(added=Terms(travelling, lambda stated: stated("stiffness")
 """An elastic gear between a rotor and the travel that it drives."""
 
 
-def linear(drive: Driving) -> Linear:
-    """What the gear of a drive is; ``ratio`` is 1 where it is not stated."""
-    if drive.travel is None:
-        return ELASTIC if drive.elastic else RIGID
-    return ALONG_TRAVEL if drive.elastic else Linear()
+def linear(elastic: bool, travel: Travel | None) -> Linear:
+    """What the gear of a drive is, beside the transmission if it has one; ``ratio`` is 1 where it is not stated."""
+    if travel is None:
+        return ELASTIC if elastic else RIGID
+    return ALONG_TRAVEL if elastic else Linear()
 
 
 LETTERS = {"ratio": "N", "rotor_inertia": "J_r", "stiffness": "k", "damping": "d"}

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..algorithms.law_programs import on_arrays
-from ..algorithms.robot_programs import held_inputs
+from ..algorithms.robot_programs import force_rates, held_inputs
 from ..ir.replay import run
 from ..robot_model import RobotModel
 from .hits import LimitWarning
@@ -29,10 +29,23 @@ def held(model: RobotModel, q: np.ndarray, v: np.ndarray, tau: np.ndarray, p: np
 
 def warn_at_rest(model: RobotModel, q: np.ndarray, tau: np.ndarray, p: np.ndarray, stacklevel: int = 2) -> None:
     """A :class:`LimitWarning` for each input that steps which begin at rest at `q` hold otherwise than as `tau`."""
-    most = held(model, q, np.zeros(model.nv), tau, p)
+    most = held(model, q, _at_rest(model, q, tau, p), tau, p)
     for k in np.flatnonzero(np.abs(most - tau) > SLIGHT * np.abs(tau)):
         what = f"{model.tau_names[k]} is {tau[k]:.6g} in this posture, and {most[k]:.6g} as a step holds it"
         warnings.warn(f"{what}; state a stronger drive, or rest elsewhere", LimitWarning, stacklevel=stacklevel + 1)
+
+
+def _at_rest(model: RobotModel, q: np.ndarray, tau: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """Rates and internal states (nvz,) at rest; what held laws remember of the inputs no longer changes under these."""
+    chain, v = model.chain, np.zeros(model.chain.nvz)
+    if chain.n_held_states:
+        program, count = model.once("force rates", lambda: force_rates(chain)), chain.n_force_states
+        given = {"q": list(q), "v": list(v), "tau": list(tau), "h": [0.0], "p": list(p)}
+        rates = (run(program, given | {"start": [z] * count}, on_arrays)[0]["rate"] for z in (0.0, 1.0))
+        gain, less = (np.array(x, float) for x in rates)
+        v[chain.force_states] = np.divide(gain, gain - less, out=np.zeros(count), where=gain > less)
+        v[chain.force_states.start : chain.held_states.start] = 0.0
+    return v
 
 
 @dataclass

@@ -6,7 +6,7 @@ the robot's.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 
 from .link_class import EXACT, LinkClass
 
@@ -81,9 +81,8 @@ SENTENCES: tuple[tuple[Condition, str], ...] = (
 """Which links a sentence is about, and the sentence."""
 
 
-def assumptions(links: Iterable[tuple[str, LinkClass]], quote: str = "'") -> list[str]:
+def assumptions(pairs: Sequence[tuple[str, LinkClass]], quote: str = "'") -> list[str]:
     """The sentences about links, or segments of links, by name and class; names stand between ``quote``."""
-    pairs = list(links)
     of: Callable[[Condition], list[str]] = lambda holds: list(dict.fromkeys(x for x, key in pairs if holds(key)))  # noqa: E731
     every, flexible = of(lambda key: True), of(lambda key: key.modes > 0)
     if not flexible:

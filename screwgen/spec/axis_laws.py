@@ -50,6 +50,11 @@ class HeldOnAxis(NamedTuple):
     axis: int
     labels: tuple[str, ...]
 
+    def unit_of_state(self, slides: bool) -> str:
+        """The unit of its internal state where the drive turns an axis, or ``slides``."""
+        assert self.kind.state is not None
+        return self.kind.state.sliding if slides else self.kind.state.unit
+
 
 def held_laws(key: LinkClass) -> Iterator[HeldOnAxis]:
     """Those of a class in the order in which they act: elements as they are stated, then the limits of effort."""

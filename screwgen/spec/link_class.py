@@ -209,6 +209,11 @@ class LinkClass:
         """What every step does to the inputs of the joint's axes before it holds them, in order."""
         return tuple(held_laws(self))
 
+    @cached_property
+    def remembering(self) -> tuple[HeldOnAxis, ...]:
+        """Those of them that have an internal state."""
+        return tuple(one for one in self.held_laws if one.kind.state is not None)
+
     @property
     def has_constant_inertia(self) -> bool:
         """Whether the joint's coordinates have an inertia of their own, the same in every posture."""
@@ -231,7 +236,8 @@ class LinkClass:
 
     def _gears_add(self, term: str) -> bool:
         """Whether gears add one of the :class:`..elements.Terms` to an axis."""
-        return any(getattr(gear.linear(drive).axis, term)(drive.stated) for drive in self.drives)
+        added = lambda x: getattr(gear.linear(x.elastic, x.travel).axis, term)  # noqa: E731
+        return any(added(drive)(drive.stated) for drive in self.drives)
 
     @property
     def has_axis_forces(self) -> bool:

@@ -229,7 +229,7 @@ def rate_units(robot: Robot) -> list[str]:
 
 
 def per_internal(robot: Robot) -> dict[str, str]:
-    """The names of the internal states, link by link, then of forces between frames, with their units."""
+    """The names of the internal states, link by link, then of forces between frames and held laws, with their units."""
     out = {}
     for link in robot.links:
         for law, part, place, *_ in link_class(link, True).internal:
@@ -240,6 +240,10 @@ def per_internal(robot: Robot) -> dict[str, str]:
             out[f"{link.name}.{law.state_name}[{axis}]"] = law.state.sliding if slides else law.state.unit
     for force in robot.acting_forces:
         out |= {f"{force.name}.{name}_state[0]": one.unit for name, one in force.law.shape.states.items()}
+    for link in robot.links:
+        for one in link_class(link, True).remembering:
+            _, unit = link.joint.driven[one.axis].effort(link.joint.screws[one.axis])
+            out[f"{link.name}.{one.kind.KIND}_state[{one.axis}]"] = one.unit_of_state(unit == "N")
     return out
 
 

@@ -107,8 +107,7 @@ class Chain(Coordinates, ChosenInputs):
 
     @property
     def n_force_states(self) -> int:
-        """The number of internal states of forces between frames, the last entries of `v`."""
-        return self.forces[-1].states.stop if self.forces else 0
+        return (self.forces[-1].states.stop if self.forces else 0) + super().n_force_states
 
     @property
     def n_force_numbers(self) -> int:
@@ -250,7 +249,7 @@ class Chain(Coordinates, ChosenInputs):
     def assumptions(self, quote: str = "'") -> list[str]:
         """What the models of the links assume, in sentences; names of links stand between ``quote``."""
         pairs = zip(self.segments, self.keys, strict=True)
-        return assumptions(((self.robot.links[s.link].name, key) for s, key in pairs if s.marker is None), quote)
+        return assumptions([(self.robot.links[s.link].name, key) for s, key in pairs if s.marker is None], quote)
 
     @property
     def identifiers(self) -> list[str]:

@@ -337,6 +337,10 @@ class Coordinates(LawCoordinates):
             z = q[self.nv :] if len(q) == self.nvz else [0.0] * self.n_internal
             for i, link in enumerate(links):
                 link[INTERNAL[joint]] = list(z[self.z_offset[i] : self.z_offset[i + 1]])
+        if self.n_held_states and joint == "qdot":
+            z = q[self.held_states] if len(q) == self.nvz else [0.0] * self.n_held_states
+            for i, link in enumerate(links):
+                link["memory"] = list(z[self.memory_offset[i] : self.memory_offset[i + 1]])
         return links
 
     def join(self, links: Sequence[Mapping[str, list]], joint: str, modal: str) -> list:
@@ -346,5 +350,5 @@ class Coordinates(LawCoordinates):
             *([ADDED[joint]] if self.n_added else []),
             modal,
             *([INTERNAL[joint]] if joint in INTERNAL else []),
-        ]  # internal states of forces between frames are no link's, and left out
+        ]  # internal states of forces between frames and of inputs are left out
         return [x for part in parts for link in links for x in link.get(part, ())]

@@ -34,6 +34,7 @@ class LawCoordinates(JointCoordinates):
         super().__init__(keys)
         offsets = lambda size: list(accumulate(map(size, self.keys), initial=0))  # noqa: E731
         self.theta_offset, self.z_offset = offsets(lambda k: len(k.added_axes)), offsets(lambda k: len(k.internal))
+        self.memory_offset = offsets(lambda k: len(k.remembering))
 
     @cached_property
     def laws(self) -> dict[Law, list[LawPlace]]:
@@ -75,18 +76,28 @@ class LawCoordinates(JointCoordinates):
 
     @property
     def n_internal(self) -> int:
-        """The number of internal states: those of laws, then those of forces between frames."""
+        """The number of internal states: those of laws, then those of forces between frames and of inputs."""
         return self.z_offset[-1] + self.n_force_states
 
     @property
     def n_force_states(self) -> int:
-        """The number of internal states of forces between frames."""
-        return 0
+        """The number of internal states of forces between frames, then of held laws, which follow no acceleration."""
+        return self.n_held_states
+
+    @property
+    def n_held_states(self) -> int:
+        """The number of internal states of held laws."""
+        return self.memory_offset[-1]
 
     @property
     def force_states(self) -> slice:
         """Where in `v` these stand: behind those of laws."""
         return slice(self.nv + self.z_offset[-1], self.nvz)
+
+    @property
+    def held_states(self) -> slice:
+        """Where in `v` those of held laws stand, the last."""
+        return slice(self.nvz - self.n_held_states, self.nvz)
 
     @property
     def nvz(self) -> int:

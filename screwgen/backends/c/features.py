@@ -27,6 +27,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     written = prescribed.PRESCRIBED * bool(chain.given)
     written += closing.LOOPS * bool(chain.closing.rows) + closing.IDLE_ROWS * bool(chain.closing.idle)
     written += ("internal",) * bool(chain.n_internal)
+    written += ("law_states",) * bool(chain.z_offset[-1]) + ("force_states",) * bool(chain.n_force_states)
     written += inputs.features(chain) + held.HELD * chain.holds + brakes.BRAKES * bool(chain.braked)
     acting = forces.content(chain, baked, place)
     compliance = compliant.content(chain, baked, place)

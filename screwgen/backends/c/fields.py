@@ -12,7 +12,8 @@ from ...algorithms.axis_terms import MEANINGS
 from ...algorithms.columns import link_columns, robot_columns, width
 from ...algorithms.fused import OF_FORCES
 from ...algorithms.scope import AT_TIP, derived, own_label
-from ...algorithms.signals import AXES, INPUTS, NODE, ROBOT, STORE, Signal, is_node, plain
+from ...algorithms.signals import AXES, INPUTS, NODE, ROBOT, STORE, Signal, is_node
+from ...algorithms.station_names import plain
 from ...elements import STOP
 from ...ir.block import NamedSignal as Constant
 from ...ir.program import Program

@@ -19,17 +19,26 @@ SWITCH = "on"
 
 def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     """The templates' context: ``count`` of states, ``first``, where in the internal states they begin; ``rates`` and
-    ``slopes``, the statements that find these; None without any."""
+    ``slopes``, the statements that find these, and ``by``, what the latter are; None without any."""
     if not chain.n_force_states:
         return {"force_states": None}
     constants = "baked" if baked else "constants"
     count = chain.n_force_states
-    by = {name: entries(name) for name in ("by_q", "by_v", "by_start")}
     rates, slopes = force_rates(chain, constants), force_rate_slopes(chain, constants)
+    by = {name: entries(name) for name in slopes.outputs}
     made = pieces(rates, _place(chain, place, {"rate": entries("rate")}), (*POINTERS, "rate"))
     own = {"count": count, "first": chain.n_internal - count, "laws": chain.n_internal > count, "rates": made}
-    own |= {"stumpff": stumpff_slopes([slopes])}
+    own |= {"whose": _whose(chain)}
+    own |= {"stumpff": stumpff_slopes([slopes]), "by": list(by)}
     return {"force_states": own | {"slopes": pieces(slopes, _place(chain, place, by), (*POINTERS, *by))}}
+
+
+def _whose(chain: Chain) -> str:
+    """What has these states, for comments."""
+    if not chain.n_held_states:
+        return "the forces' internal states"
+    every = chain.n_held_states == chain.n_force_states
+    return "the inputs' internal states" if every else "the internal states of forces and inputs"
 
 
 def switches(chain: Chain) -> bool:

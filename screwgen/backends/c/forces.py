@@ -30,7 +30,7 @@ class ForceStruct(NamedTuple):
 
 def files(chain: Chain) -> tuple[str, ...]:
     """The files that they add, without the robot's name."""
-    return ("forces.c",) if chain.acts_on_tips else ()
+    return ("forces.c",) if chain.acts_on_tips or chain.n_force_states else ()
 
 
 def features(chain: Chain) -> tuple[str, ...]:

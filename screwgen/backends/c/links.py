@@ -12,7 +12,8 @@ from typing import Any
 from ...algorithms import fused
 from ...algorithms.dae_functions import block_places, edge_places
 from ...algorithms.schedule import OUTWARD, SUMMED, further_children
-from ...algorithms.signals import CALL, M_SYS, is_node, plain
+from ...algorithms.signals import CALL, M_SYS, is_node
+from ...algorithms.station_names import plain
 from ...algorithms.structure import Applied, Passage, passages, specialised_phases
 from ...ir.program import Program
 from ...topology.chain import Chain

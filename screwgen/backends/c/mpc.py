@@ -78,8 +78,8 @@ class Fitted:
             (bool(chain.n_added), "elastic drives"),
             (bool(chain.travels), "transmissions"),
             *((True, row.words) for row in chain.other_inputs),
-            (bool(chain.n_force_states), "forces between frames with internal states"),
             (chain.holds_by_motion, "drives whose steps hold what their motion allows"),
+            (bool(chain.n_force_states), "forces between frames with internal states"),
         ):
             if asked:
                 raise UsageError(

@@ -157,6 +157,7 @@ def scaling(chain: Chain) -> ca.Function:
     sizes = [ca.mmax(force * moves) for force in forces]  # nothing where an input does nothing at home
     others = [ca.if_else(size > 0, twice / size, 1.0) for size in sizes]
     v = ca.vertcat(ca.sqrt(twice / inertia), *(ca.sqrt(twice / k) for k in _bristles(chain, properties)))
+    v = ca.vertcat(v, *(tau[chain.tau_offset[i] + x.axis] for i, key in enumerate(chain.keys) for x in key.remembering))
     return function("scaling", given, q=q, v=v, tau=ca.vertcat(tau, *others))
 
 

@@ -141,7 +141,8 @@ def check(chain: Chain) -> None:
         (chain.nq != chain.nv, "its coordinates have a quaternion, of a ball joint or a floating base"),
         *((True, f"it has {row.words}, which are no torques of axes") for row in chain.other_inputs),
         (bool(chain.forces), "forces act between its frames, whose distances are roots of sums"),
-        (bool(chain.n_internal), "its friction has internal states, whose rates have terms of |w|"),
+        (bool(chain.z_offset[-1]), "its friction has internal states, whose rates have terms of |w|"),
+        (bool(chain.n_force_states), "its forces or inputs have internal states"),
         (bool(chain.travel_kinds), "an axis has a transmission, whose lever is no sum of sines and cosines"),
     )
     for found, reason in reasons:

@@ -77,7 +77,8 @@ def _flag(value: bool) -> str:
 def _units(parent: Element, units: Iterable[str]) -> None:
     for unit in dict.fromkeys(units):
         element = SubElement(parent, "Unit", name=spelled(unit))
-        SubElement(element, "BaseUnit", {base: str(n) for base, n in exponents(unit).items() if n})
+        if (found := exponents(unit)) is not None:
+            SubElement(element, "BaseUnit", {base: str(n) for base, n in found.items()})
 
 
 def _types(parent: Element, version: int, variables: Sequence[Variable]) -> None:

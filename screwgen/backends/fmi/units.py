@@ -10,12 +10,23 @@ DERIVED = {
     "J": {"kg": 1, "m": 2, "s": -2},
     "W": {"kg": 1, "m": 2, "s": -3},
     "Hz": {"s": -1},
+    "Pa": {"kg": 1, "m": -1, "s": -2},
+    "C": {"A": 1, "s": 1},
+    "V": {"kg": 1, "m": 2, "s": -3, "A": -1},
+    "Ω": {"kg": 1, "m": 2, "s": -3, "A": -2},
+    "F": {"kg": -1, "m": -2, "s": 4, "A": 2},
+    "H": {"kg": 1, "m": 2, "s": -2, "A": -2},
+    "Wb": {"kg": 1, "m": 2, "s": -2, "A": -1},
+    "T": {"kg": 1, "s": -2, "A": -1},
 }
 POWERS = {"²": 2, "³": 3}
 
 
-def exponents(unit: str) -> dict[str, int]:
-    """The exponents of the base units in ``N·m·s/rad``; all that is behind the first stroke is below it."""
+def exponents(unit: str) -> dict[str, int] | None:
+    """The exponents of the base units in ``N·m·s/rad``; all that is behind the first stroke is below it.
+
+    None of a unit with a factor that the SI has not, as a force of one's own may have: its name alone is known.
+    """
     out: Counter[str] = Counter()
     for sign, part in zip((1, -1), _halves(unit), strict=True):
         for factor in filter(None, part.replace("/", "·").split("·")):
@@ -24,9 +35,7 @@ def exponents(unit: str) -> dict[str, int]:
             if symbol != "1":
                 for base, n in DERIVED.get(symbol, {symbol: 1}).items():
                     out[base] += sign * power * n
-    unknown = set(out) - set(BASE)
-    assert not unknown, f"units without exponents: {unknown}"
-    return {base: out[base] for base in BASE if out[base]}
+    return {base: out[base] for base in BASE if out[base]} if set(out) <= set(BASE) else None
 
 
 def _halves(unit: str) -> tuple[str, str]:
@@ -36,7 +45,7 @@ def _halves(unit: str) -> tuple[str, str]:
 
 def spelled(unit: str) -> str:
     """The unit as Modelica writes it: ``N.m.s/rad``, ``kg.m2``."""
-    text = unit.replace("·", ".")
+    text = unit.replace("·", ".").replace("Ω", "Ohm")
     for sign, power in POWERS.items():
         text = text.replace(sign, str(power))
     return text

@@ -164,6 +164,12 @@ def _internal(chain: Chain, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
     for k, (force, state) in enumerate(kept, chain.force_states.start):
         about = f"`{force}`: {state.meaning}"
         yield NONE, f"{k + 1}", f"${state.symbol}$", f"`{names[k]}`", about, plain_unit(units[k])
+    axes = ((i, one) for i, key in enumerate(chain.keys) for one in key.remembering)
+    held = ((chain.tau_offset[i] + one.axis + 1, one.kind.state) for i, one in axes)
+    for k, (joint, own_state) in enumerate(held, chain.held_states.start):
+        assert own_state is not None
+        symbol, about = rf"${own_state.symbol}_{{{joint}}}$", f"{own_state.meaning}, of $q_{{{joint}}}$"
+        yield NONE, f"{k + 1}", symbol, f"`{names[k]}`", about, plain_unit(units[k])
 
 
 def _groups(directions: Sequence[tuple[str, int]], grouped: bool) -> Iterator[tuple[int, str, int, int]]:

@@ -134,7 +134,7 @@ def lines(chain: Chain) -> str:
         markers=any(segment.marker is not None for segment in chain.segments),
         turned=bool(chain.turned_wrenches),
         chosen=chain.chooses_forces,
-        remembering=bool(chain.n_force_states),
+        remembering=any(force.shape.states for force in chain.forces),
         laws=laws,
         world=any(None in force.ends for force in chain.forces),
         steps=any(r"\mathrm{H}" in law.lines for law in laws),

@@ -29,7 +29,7 @@ from ...algorithms.functions import (
 )
 from ...algorithms.gauges import strain_names
 from ...algorithms.input_functions import PULLS
-from ...algorithms.inverse_slopes import Slopes, of_numbers, symmetric, with_internal_rates
+from ...algorithms.inverse_slopes import Slopes, of_numbers, symmetric
 from ...algorithms.linearise import closed_slopes, slopes
 from ...algorithms.marker_functions import STRAINED
 from ...algorithms.parameter_slopes import BY_P
@@ -43,6 +43,7 @@ from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from . import by_p, prescribed
 from .braked import balance
+from .internal_rates import with_internal_rates
 from .python import Function, compiled
 from .rates import ValuesPerRate
 
@@ -238,10 +239,10 @@ class Numeric:
         if self.chain.closing.rows:
             return self._closed_derivatives(given, *self.rows(q=q, v=v, tau=tau, w_ext=w_ext))
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
-        found = self._slopes(q, v, vdot, w_ext, tau)
-        M, f_v = symmetric(found.M), np.hstack([found.f_v, found.f_z])
-        M, *forces = prescribed.set_apart(self.chain, M, -found.f_q, -f_v, given)
-        return with_internal_rates(found, *balance(self, M, q, v, vdot, tau, w_ext).changes(*forces))
+        f = self._slopes(q, v, vdot, w_ext, tau)
+        M, *forces = prescribed.set_apart(self.chain, symmetric(f.M), -f.f_q, -np.hstack([f.f_v, f.f_z]), given)
+        by = balance(self, M, q, v, vdot, tau, w_ext).changes(*forces)
+        return with_internal_rates(self, f, (q, v, tau), np.hstack(by))
 
     @property
     def braking(self) -> Functions:
@@ -273,7 +274,7 @@ class Numeric:
         reach = equations.solve(J.T)
         reach[prescribed.places(self.chain)] = 0.0
         found = unconstrained - reach @ self.row_forces(J @ reach, J @ unconstrained + np.hstack(drifts).astype(float))
-        return with_internal_rates(f, *np.split(found, [self.chain.nv, self.chain.nv + self.chain.nvz], axis=1))
+        return with_internal_rates(self, f, (q, v, tau), found)
 
     def row_forces(self, A: np.ndarray, b: np.ndarray) -> np.ndarray:
         """X (rows, n) of ``A X = b`` with ``A = J M⁻¹ Jᵀ`` of the loops' rows, as the dynamics solve for their forces.

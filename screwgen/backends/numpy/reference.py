@@ -297,14 +297,14 @@ def bristle_stiffness(chain: Chain) -> list[float]:
 def _bristles(functions: Functions) -> list[float]:
     """What the forces of internal states grow by with these, at rest and at home, in their order.
 
-    Of states of forces between frames what 20 N is over their usual size.
+    Of states of forces between frames what 20 N is over their usual size; those of held laws are as efforts.
     """
     chain = functions.chain
     state = functions.motion([mpmath.mpf(x) for x in chain.home], [mpmath.mpf(0)] * chain.nvz)
     acting = (one for i, x in enumerate(state) if chain.keys[i].internal for one in functions.laws(i, x))
     of_laws = [float(cast(float, one.values["by_z"])) for one in acting if one.law.state is not None]
     sizes = (state.size for force in chain.forces for state in force.shape.states.values())
-    return of_laws + [20.0 / size for size in sizes]
+    return of_laws + [20.0 / size for size in sizes] + [1.0] * chain.n_held_states
 
 
 def _closed(chain: Chain, q: list[float]) -> list[float]:

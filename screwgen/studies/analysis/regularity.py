@@ -15,7 +15,7 @@ import numpy as np
 
 from ...algorithms import fused
 from ...algorithms.dae_functions import block_places, edge_places, unknown_size
-from ...algorithms.signals import plain
+from ...algorithms.station_names import plain
 from ...ir.block import Binding
 from ...ir.lower import lower
 from ...ir.program import Tracer

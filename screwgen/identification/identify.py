@@ -19,6 +19,7 @@ from . import odd
 from .beside import cases_of, explained, how_of, vector
 from .file_numbers import file_numbers
 from .identification import Estimated, Identification
+from .logged_motion import moved_places
 from .logs import Log, checked, faults
 from .problem import MeasuredCases, MotionMethod, Problem
 from .solve import INTERRUPTED, Estimate, Fit
@@ -80,9 +81,10 @@ def identify(
     columns = columns_of(model, sensors, sources[0]) if sources else NOTHING
     read, compared = ([log_of(x, columns) for x in some] for some in (sources, others))
     if sensors is None:
-        columns = varying(columns, read)
+        columns = varying(model, columns, read)
+    moving = moved_places(model, columns).names(columns)
     for log in (*read, *compared):
-        checked(log, columns)
+        checked(log, columns, moving)
     window = seconds(window, "window")
     check_steps(model, (*read, *compared))
     file = None if robot_file is None else file_numbers(robot_file, model)

@@ -178,9 +178,7 @@ def along(experiment: Experiment, x: np.ndarray, samples: slice, p: np.ndarray) 
     return walked(model, x, p, model.chain.base_q + np.flatnonzero(kept), own[np.isfinite(own).all(axis=1)], kept)
 
 
-def _start(
-    experiment: Experiment, signals: Signals, first: int, p: np.ndarray, near: np.ndarray | None
-) -> StartState:
+def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray, near: np.ndarray | None) -> StartState:
     model, step = experiment.model, experiment.log.step
     plain = [k for k in experiment.compared if not signals.signals[k].accelerates]
     seen = smoothing.smoothed(experiment.readings[:, plain], first, step, experiment.reach)

@@ -247,7 +247,7 @@ def _parameters(model: RobotModel, asked: Unknowns, p: np.ndarray) -> dict[str, 
 def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit) -> list[Estimated]:
     values, out = asked.values(at.sought), []
     for k, one in enumerate(asked):
-        wide = known.quantile * known.deviation[k]
+        wide = known.quantile[k] * known.deviation[k]
         low, high = sorted(float(one.values(at.sought[k] + sign * wide)) for sign in (-1, 1))
         bound = "low" if at.sought[k] <= fit.low[k] else "high" if at.sought[k] >= fit.high[k] else ""
         sure = bool(known.deviation[k] <= LOST)

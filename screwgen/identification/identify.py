@@ -27,7 +27,7 @@ from .sources import Source, columns_of, log_of, several, some, varying
 from .suspected import check_steps, frequencies, of_gains
 from .uncertainty import LOST, Uncertainty, uncertainty
 from .unknowns import INPUT, SENSOR, Unknowns, unknowns_of_logs
-from .vibration_tests import TestedVibrations, tested, tests_of
+from .vibration_tests import TestedVibrations, of_frequencies, tested, tests_of
 from .words import direction_in_words
 
 SHORTER, OFF = (10.0, 3.0, 1.0), 0.3
@@ -100,7 +100,8 @@ def identify(
         for k, log in enumerate([*read, *compared])
     ]
     told = (
-        suspected
+        of_frequencies(model, *hammered)
+        + suspected
         + (odd.of_inputs(model, columns) if read else [])
         + [line for log in (*read, *compared) for line in faults(log, columns)]
     )

@@ -49,6 +49,12 @@ def hanging():
     return model, driven(model, lambda t, q, v: np.array([0.16 * np.cos(4 * t)]), -0.6, noise=0.2)
 
 
+def pulled():
+    """A pendulum under one torque."""
+    model = pendulum()
+    return model, driven(model, lambda t, q, v: np.array([2.0]), -1.5, noise=0.01)
+
+
 def swung():
     """A pendulum that does all that it can."""
     return pendulum(), swing(2.0, STEP, NOISE)
@@ -58,6 +64,7 @@ UNDETERMINED = {
     "ratio": (heavy, ["motor.gain", ROTOR], f"{ROTOR} and motor.gain are known only as a ratio (+1.00)"),
     "scale": (swung, ["motor.gain", "*.EIz", ROTOR, COULOMB, VISCOUS, "*.mass", "rod.rhoA"], "can all grow together"),
     "bias": (one_way, ["motor.bias", COULOMB], f"only together are known {COULOMB} and motor.bias"),
+    "gain": (pulled, ["motor.gain", "motor.bias"], "only together are known motor.gain and motor.bias"),
     "trace": (swung, ["rod.EIz", "gravity[2]"], "gravity[2] leaves hardly a trace in the data; level the base"),
     "friction": (steady, [COULOMB, VISCOUS], f"{COULOMB} and {VISCOUS}"),
     "tilt": (hanging, ["gravity[0]", "gauge.offset"], "only together are known gauge.offset and gravity[0]"),

@@ -163,6 +163,13 @@ def test_an_input_in_another_unit_is_suspected(log, factor):
     assert not any("motor" in x for x in free)
 
 
+def test_an_input_with_which_no_motion_lasts_is_suspected_in_the_refusal(log):
+    """As torques in mN·m that are taken for N·m."""
+    other = with_column(log, "motor", lambda y: 1e3 * y)
+    with pytest.raises(UsageError, match=r"cannot be made: .*; swing.csv: 0.001 times motor explains .*: is its unit"):
+        screwgen.identify(pendulum(), other, free="rod.damping.ratio", sensors=SENSORS, window=0.25)
+
+
 def test_times_in_milliseconds_are_suspected(log):
     """Samples would be further apart than the arm vibrates."""
     with pytest.raises(UsageError, match=r"swing.csv: samples are 2 s apart, and the slowest .*: are times in ms\?"):

@@ -90,8 +90,12 @@ def identify(
     file = None if robot_file is None else file_numbers(robot_file, model)
     asked = unknowns_of_logs(model, columns, free, read, file)
     start = [cases_of(model, log, columns, window, model.chain.parameters.values) for log in read]
-    suspected = of_gains(model, start, how)
-    fit, at = NumberSearch(model, read, hammered, columns, asked, window, robust, iterations, how, progress).best()
+    suspected = of_frequencies(model, *hammered) + of_gains(model, start, how)
+    search = NumberSearch(model, read, hammered, columns, asked, window, robust, iterations, how, progress)
+    try:
+        fit, at = search.best()
+    except UsageError as error:  # under an input a thousand times too large no motion lasts
+        raise UsageError("; ".join([str(error), *suspected])) from None
     values, sampled = asked.values(at.sought), [column.name for column in columns.sensors]
     known = uncertainty(fit, at)
     own, p = with_numbers(columns, asked, values), vector(model, asked, values)
@@ -100,8 +104,7 @@ def identify(
         for k, log in enumerate([*read, *compared])
     ]
     told = (
-        of_frequencies(model, *hammered)
-        + suspected
+        suspected
         + (odd.of_inputs(model, columns) if read else [])
         + [line for log in (*read, *compared) for line in faults(log, columns)]
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -58,7 +59,7 @@ def moved_places(model: RobotModel, columns: Columns) -> MovedPlaces:
     chain = model.chain
     measured = {str(column.measures): k for k, column in enumerate(columns.sensors)}
     driven = [model.tau_names.index(str(column.drives)) for column in columns.inputs]
-    rows = []
+    rows = list[tuple[Sequence[int], ...]]()
     if chain.moving and not set(of_base := range(chain.n_tau)[chain.inputs[BASE_MOTION]]) & set(driven):
         pose = model.q_names[:POSE]
         there = [name for name in pose if name in measured]

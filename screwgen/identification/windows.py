@@ -202,8 +202,8 @@ def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray, 
                 at = rates + chain.eta_v + mode
                 wide[at] = max(wide[at], WIDE * size[k] * unit)
     if chain.n_added:
-        for joints, at in ((chain.base_q, chain.q_offset[-1]), (n + chain.base_v, n + chain.eta_v - chain.n_added)):
-            x[at : at + chain.n_added] = np.multiply(chain.ratios(p), x[joints:][chain.added_joints])
+        for base, at in ((chain.base_q, chain.q_offset[-1]), (n + chain.base_v, n + chain.eta_v - chain.n_added)):
+            x[at : at + chain.n_added] = np.multiply(chain.ratios(p), x[base:][chain.added_joints])
     held = np.zeros(len(wide), bool)
     of_v = np.array(experiment.moved.of_v, int)
     x[np.array(experiment.moved.of_q, int)] = experiment.given.q[first]

@@ -47,4 +47,4 @@ def test_intervals_hold_the_true_number_in_95_of_100_cases(robot):
     """Of six and of eight numbers together, in 200 logs with other noise."""
     shares = coverage(*robot(), RUNS)
     assert 0.92 <= np.mean(list(shares.values())) <= 0.98, shares
-    assert min(shares.values()) >= 0.88, shares
+    assert min(shares.values()) >= 0.9, shares

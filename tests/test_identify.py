@@ -71,6 +71,13 @@ def test_a_command_writes_the_robot_with_its_comments(tmp_path, capsys):
     assert [x["held_out"] for x in numbers["explained"]] == [False, True]
 
 
+def test_a_run_is_compared_without_what_a_planar_arm_has_across_its_plane():
+    """No table says what its columns are, and the tip's z is 0 throughout."""
+    run = screwgen.simulate(pendulum(), 0.5, 2e-3, q0=[-1.5, 0.0, 0.0])
+    (found,) = screwgen.compare(pendulum(), run, window=0.25)
+    assert "tip_position.z" not in found.sensors and min(found.share("whole").values()) > 0.999
+
+
 def test_joints_that_are_given_move_the_links_alone(log):
     """Driven by motion: the angle moves the axis, the gauge says what the link does, and no friction matters."""
     model = elsewhere(["rod.EIz", "rod.damping.ratio"], actuation="motion")

@@ -49,6 +49,12 @@ def hanging():
     return model, driven(model, lambda t, q, v: np.array([0.16 * np.cos(4 * t)]), -0.6, noise=0.2)
 
 
+def pulled():
+    """A pendulum under one torque."""
+    model = pendulum()
+    return model, driven(model, lambda t, q, v: np.array([2.0]), -1.5, noise=0.01)
+
+
 def swung():
     """A pendulum that does all that it can."""
     return pendulum(), swing(2.0, STEP, NOISE)
@@ -58,6 +64,7 @@ UNDETERMINED = {
     "ratio": (heavy, ["motor.gain", ROTOR], f"{ROTOR} and motor.gain are known only as a ratio (+1.00)"),
     "scale": (swung, ["motor.gain", "*.EIz", ROTOR, COULOMB, VISCOUS, "*.mass", "rod.rhoA"], "can all grow together"),
     "bias": (one_way, ["motor.bias", COULOMB], f"only together are known {COULOMB} and motor.bias"),
+    "gain": (pulled, ["motor.gain", "motor.bias"], "only together are known motor.gain and motor.bias"),
     "trace": (swung, ["rod.EIz", "gravity[2]"], "gravity[2] leaves hardly a trace in the data; level the base"),
     "friction": (steady, [COULOMB, VISCOUS], f"{COULOMB} and {VISCOUS}"),
     "tilt": (hanging, ["gravity[0]", "gauge.offset"], "only together are known gauge.offset and gravity[0]"),
@@ -154,6 +161,13 @@ def test_an_input_in_another_unit_is_suspected(log, factor):
     assert note.startswith(f"swing.csv: {1 / factor:.3g} times motor explains the readings much better")
     free = screwgen.identify(pendulum(), log, free=["motor.gain"], sensors=SENSORS, window=0.5).notes
     assert not any("motor" in x for x in free)
+
+
+def test_an_input_with_which_no_motion_lasts_is_suspected_in_the_refusal(log):
+    """As torques in mN·m that are taken for N·m."""
+    other = with_column(log, "motor", lambda y: 1e3 * y)
+    with pytest.raises(UsageError, match=r"cannot be made: .*; swing.csv: 0.001 times motor explains .*: is its unit"):
+        screwgen.identify(pendulum(), other, free="rod.damping.ratio", sensors=SENSORS, window=0.25)
 
 
 def test_times_in_milliseconds_are_suspected(log):

@@ -100,6 +100,24 @@ def test_numbers_of_a_four_bar_linkage_are_found_again(log):
     assert max(abs(x) for x in found.whiteness.values()) < 0.1 and not found.undetermined
 
 
+def test_accelerometers_tell_numbers_of_a_linkage():
+    """At the tip of the flexible coupler, beside the crank's encoder, in windows of a few vibrations."""
+    model = four_bar()
+    place = [marker.name for marker in model.chain.markers].index("coupler.tip")
+    sensors = [Column(name=f"tip_{k}", measures=f"accelerometer@coupler.tip[{k}]", unit="g") for k in (0, 2)]
+    columns = Columns(columns=(*COLUMNS.columns[:2], *sensors))
+
+    def measured(run):
+        found = run.accelerometer[:, place] / 9.80665
+        return {"angle": np.degrees(run.q[:, 0]), "tip_0": found[:, 0], "tip_2": found[:, 2]}
+
+    log = logged(model, torque, 0.5, 1e-3, 5, START, measured, columns)
+    found = screwgen.identify(elsewhere(), log, free=list(TRUE), sensors=columns, window=0.1, substeps=2)
+    for name, true in TRUE.items():
+        assert found[name].value == pytest.approx(true, rel=0.02), name
+        assert found[name].low < true < found[name].high, name
+
+
 def test_windows_begin_with_closed_loops_whatever_is_free(log):
     """Lengths are free too: each lane closes its loop with its own. Gaps in closed form, their rates by differences."""
     model = elsewhere()

@@ -104,6 +104,21 @@ def test_dry_friction_is_no_damping_of_vibrations_and_viscous_friction_is():
 
 
 @pytest.mark.parametrize(
+    ("factor", "unit"), [(1.0, ""), (2 * np.pi, "rad/s"), (1e3, "mHz"), (60.0, "per minute"), (1e-3, "kHz")]
+)
+def test_frequencies_in_another_unit_are_suspected(factor, unit):
+    """Though a start is 40 % off; with the right unit nothing is said.
+
+    Without `modes` also where no other modes come as near; the first of a clamped beam in rad/s is its second in Hz.
+    """
+    for modes in ({"modes": [1, 3]}, *([{}] if factor in (1.0, 1e3, 1e-3) else [])):
+        told = hammer(frequencies=(factor * HZ[[0, 2]]).tolist(), **modes)
+        notes = screwgen.identify(beam(1.4 * EI), free="rod.EIz", vibrations=told).notes
+        said = "vibrations: frequencies are not those of the model, but would be if they were"
+        assert [x for x in notes if "frequencies are" in x] == [f"{said} {unit}: state them in Hz"] * bool(unit)
+
+
+@pytest.mark.parametrize(
     ("test", "words"),
     [
         ({"frequencies": [1.0] * 7}, "mode 7 is asked for; the robot has 6 with joints locked"),

@@ -14,12 +14,13 @@ from ..runtime.differentiated import NO_METHOD
 from ..spec.columns import Columns
 from .identification import Explained
 from .log_windows import Windows, windows_of
+from .logged_motion import moved_places
 from .logs import Log, checked
 from .problem import MeasuredCases, MotionMethod, Problem
 from .signals import Signals
 from .smoothing import LEAST, SHARE
 from .solve import Fit
-from .sources import Source, columns_of, log_of, some
+from .sources import Source, columns_of, log_of, some, varying
 from .static_shapes import beside_rest, shapes_of
 from .unknowns import Unknowns, parameter_rows
 from .windows import Experiment
@@ -40,7 +41,11 @@ def compare(
     how, nothing = how_of(integrator, substeps, threads), Unknowns()
     columns = columns_of(model, sensors, sources[0])
     settings = seconds(window, "window"), False
-    read = [checked(log_of(x, columns), columns) for x in sources]
+    read = [log_of(x, columns) for x in sources]
+    if sensors is None:
+        columns = varying(model, columns, read)
+    for log in read:
+        checked(log, columns, moved_places(model, columns).names(columns))
     return tuple(explained(model, log, columns, nothing, np.zeros(0), how, settings, True) for log in read)
 
 

@@ -19,6 +19,7 @@ from . import odd
 from .beside import cases_of, explained, how_of, vector
 from .file_numbers import file_numbers
 from .identification import Estimated, Identification
+from .logged_motion import moved_places
 from .logs import Log, checked, faults
 from .problem import MeasuredCases, MotionMethod, Problem
 from .solve import INTERRUPTED, Estimate, Fit
@@ -26,7 +27,7 @@ from .sources import Source, columns_of, log_of, several, some, varying
 from .suspected import check_steps, frequencies, of_gains
 from .uncertainty import LOST, Uncertainty, uncertainty
 from .unknowns import INPUT, SENSOR, Unknowns, unknowns_of_logs
-from .vibration_tests import TestedVibrations, tested, tests_of
+from .vibration_tests import TestedVibrations, of_frequencies, tested, tests_of
 from .words import direction_in_words
 
 SHORTER, OFF = (10.0, 3.0, 1.0), 0.3
@@ -80,16 +81,21 @@ def identify(
     columns = columns_of(model, sensors, sources[0]) if sources else NOTHING
     read, compared = ([log_of(x, columns) for x in some] for some in (sources, others))
     if sensors is None:
-        columns = varying(columns, read)
+        columns = varying(model, columns, read)
+    moving = moved_places(model, columns).names(columns)
     for log in (*read, *compared):
-        checked(log, columns)
+        checked(log, columns, moving)
     window = seconds(window, "window")
     check_steps(model, (*read, *compared))
     file = None if robot_file is None else file_numbers(robot_file, model)
     asked = unknowns_of_logs(model, columns, free, read, file)
     start = [cases_of(model, log, columns, window, model.chain.parameters.values) for log in read]
-    suspected = of_gains(model, start, how)
-    fit, at = NumberSearch(model, read, hammered, columns, asked, window, robust, iterations, how, progress).best()
+    suspected = of_frequencies(model, *hammered) + of_gains(model, start, how)
+    search = NumberSearch(model, read, hammered, columns, asked, window, robust, iterations, how, progress)
+    try:
+        fit, at = search.best()
+    except UsageError as error:  # under an input a thousand times too large no motion lasts
+        raise UsageError("; ".join([str(error), *suspected])) from None
     values, sampled = asked.values(at.sought), [column.name for column in columns.sensors]
     known = uncertainty(fit, at)
     own, p = with_numbers(columns, asked, values), vector(model, asked, values)
@@ -245,7 +251,7 @@ def _parameters(model: RobotModel, asked: Unknowns, p: np.ndarray) -> dict[str, 
 def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit) -> list[Estimated]:
     values, out = asked.values(at.sought), []
     for k, one in enumerate(asked):
-        wide = known.quantile * known.deviation[k]
+        wide = known.quantile[k] * known.deviation[k]
         low, high = sorted(float(one.values(at.sought[k] + sign * wide)) for sign in (-1, 1))
         bound = "low" if at.sought[k] <= fit.low[k] else "high" if at.sought[k] >= fit.high[k] else ""
         sure = bool(known.deviation[k] <= LOST)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 from typing import BinaryIO
@@ -114,8 +114,11 @@ def counted(log: Log) -> Log:
     return replace(log, t=np.arange(float(max((len(x) for x in log.columns.values()), default=0))), static=True)
 
 
-def checked(log: Log, columns: Columns) -> Log:
-    """The log, if its times are even and its columns can be used; raises UsageError."""
+def checked(log: Log, columns: Columns, moving: Collection[str] = ()) -> Log:
+    """The log, if its times are even and its columns can be used; raises UsageError.
+
+    A sensor that always reads the same says nothing, but those that are `moving` the robot say that it stands still.
+    """
     if not len(log):
         raise UsageError(f"{log.name}: has no rows; give one at least")
     if not log.static:
@@ -125,6 +128,9 @@ def checked(log: Log, columns: Columns) -> Log:
         if len(values := log.columns[column.name]) != len(log):
             raise UsageError(f"{log.name}: {column.name} has {len(values)} entries; it must have {len(log)}, as t")
         (_check_sensor if column.measures else _check_input)(log, column, values)
+        if column.measures and not log.static and column.name not in moving and constant(values):
+            said = f"{column.name} is {np.nanmin(values):g} throughout and says nothing"
+            raise UsageError(f"{log.name}: {said}; leave it out")
     return log
 
 
@@ -150,12 +156,16 @@ def _check_input(log: Log, column: Column, values: np.ndarray) -> None:
 
 
 def _check_sensor(log: Log, column: Column, values: np.ndarray) -> None:
-    there = values[np.isfinite(values)]
-    if len(there) < max(1, (1 - GAPS) * len(values)):
-        missing = f"{len(values) - len(there)} of {len(values)} readings"
+    gone = np.count_nonzero(~np.isfinite(values))
+    if len(values) - gone < max(1, (1 - GAPS) * len(values)):
+        missing = f"{gone} of {len(values)} readings"
         raise UsageError(f"{log.name}: {column.name} lacks {missing}; leave the column out, or cut the log")
-    if not log.static and there.min() == there.max():
-        raise UsageError(f"{log.name}: {column.name} is {there[0]:g} throughout and says nothing; leave it out")
+
+
+def constant(values: np.ndarray) -> bool:
+    """Whether the readings (N,) that were made are one; a column without rows is refused elsewhere."""
+    there = values[np.isfinite(values)]
+    return bool(there.size and there.min() == there.max())
 
 
 def faults(log: Log, columns: Columns) -> list[str]:

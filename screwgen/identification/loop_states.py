@@ -7,23 +7,22 @@ import numpy as np
 from ..backends.numpy.closing import OpenLoopError
 from ..errors import UsageError
 from ..robot_model import RobotModel
-from ..simulation.mobility import closing, motions
+from ..simulation.mobility import OPEN, closing, motions
 from ..studies.equilibrium import closed_start
 
 ROUNDS, CLOSED = 20, 1e-12
 """Steps of Newton's method at most, and the gaps, m or cosines, at which it ends."""
 RANK = 1e-10
+APART = 0.05
+"""rad or m: how far joints move at a time where others follow them."""
 
 
 def closed_near(model: RobotModel, x: np.ndarray, p: np.ndarray, kept: np.ndarray, name: str) -> np.ndarray:
     """The state near `x` (nq + nvz,) with closed loops in which joints that are `kept` (n_joints,) of bool stay.
 
-    Raises UsageError, about the log `name`, where loops do not close there or the robot is none of these.
+    A base that floats stays too. Raises UsageError, about the log `name`, where loops do not close there.
     """
-    chain, n = model.chain, model.nq
-    if chain.floating or chain.curved:
-        what = "robots with loops are identified on a fixed base without ball joints; hold the base, or cut the loop"
-        raise UsageError(f"identify: {what}")
+    n = model.nq
     try:
         q = closed_start(model, p, x[:n], True, kept)[0]
     except OpenLoopError as error:
@@ -48,17 +47,39 @@ def independent(model: RobotModel, x: np.ndarray, p: np.ndarray, kept: np.ndarra
 def closed(model: RobotModel, x: np.ndarray, p: np.ndarray, follow: np.ndarray) -> np.ndarray:
     """The state (nq + nvz,) whose coordinates `follow`, with their rates, close the loops; open where none do.
 
-    That is Newton's method on these alone; on a fixed base places in q are those in v.
+    That is Newton's method on these alone. `follow`: places in v; no loop moves a base, whose turn does not add up.
     """
     x, n = x.copy(), model.nq
     for _ in range(ROUNDS):
         gap, J = _gaps(model, x, p)
         if not np.max(np.abs(gap), initial=0.0) > CLOSED:
             break
-        x[follow] -= np.linalg.lstsq(J[:, follow], gap, rcond=RANK)[0]
+        x[follow + n - model.nv] -= np.linalg.lstsq(J[:, follow], gap, rcond=RANK)[0]
         if not np.isfinite(x).all():
             return x
     return _staying(model, x, p, n + follow)
+
+
+def walked(
+    model: RobotModel, x: np.ndarray, p: np.ndarray, places: np.ndarray, rows: np.ndarray, kept: np.ndarray
+) -> np.ndarray:
+    """The state at the end of a walk from `x` (nq + nvz,) with coordinates at `places` through `rows` (N, places).
+
+    The others follow in steps of APART, `kept` (n_joints,) of bool last; where they cannot, the walk leaps there.
+    """
+    x = x.copy()
+    for k, row in enumerate(rows):
+        if k < len(rows) - 1 and np.max(np.abs(row - x[places]), initial=0.0) < APART:
+            continue
+        there = x.copy()
+        there[places] = row
+        follow = np.setdiff1d(np.arange(model.nv), independent(model, x, p, kept)[0])
+        there = closed(model, there, p, follow)
+        if not np.max(np.abs(_gaps(model, there, p)[0])) < OPEN:
+            break
+        x = there
+    x[places] = rows[-1:].ravel() if len(rows) else x[places]
+    return x
 
 
 def _staying(model: RobotModel, x: np.ndarray, p: np.ndarray, places: np.ndarray | None = None) -> np.ndarray:

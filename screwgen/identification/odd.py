@@ -10,6 +10,7 @@ from ..robot_model import RobotModel
 from ..spec.columns import Columns
 from ..spec.parameters import parameters
 from .identification import Explained
+from .logged_motion import moved_places
 from .logs import Log
 from .solve import Estimate, Fit
 from .unknowns import Unknowns
@@ -56,9 +57,9 @@ def _percent(x: float) -> str:
 
 
 def of_inputs(model: RobotModel, columns: Columns) -> list[str]:
-    """Inputs that act on the robot, and that no column drives."""
+    """Inputs that act on the robot, and that no column drives. Accelerations of what columns move are known."""
     driven = {column.drives for column in columns.inputs}
-    given = set(model.chain.prescribed)
+    given = model.chain.given if columns.static else moved_places(model, columns).of_tau
     silent = [name for k, name in enumerate(model.tau_names) if k not in given and name not in driven]
     return [f"no column drives {', '.join(silent)}: taken as zero"] if silent else []
 

@@ -8,14 +8,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
-
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..simulation.runs import Run
 from ..spec.columns import Columns, load_columns
 from ..spec.load import one_line
-from .logs import Log, counted, head_of, read_log
+from .logged_motion import moved_places
+from .logs import Log, constant, counted, head_of, read_log
 from .signals import Signals, of_run
 
 PART = re.compile(r"(?P<path>.+)@(?P<start>[-+.\deE]+):(?P<end>[-+.\deE]+)")
@@ -81,13 +80,9 @@ def log_of(source: Source, columns: Columns) -> Log:
     return log if start is None or end is None else replace(log.part(start, end), name=one_line(os.fsdecode(source)))
 
 
-def _constant(values: np.ndarray) -> bool:
-    """Whether a column has one value; one without rows is refused later."""
-    return bool(values.size and np.ptp(values) == 0)
-
-
-def varying(columns: Columns, logs: Sequence[Log]) -> Columns:
+def varying(model: RobotModel, columns: Columns, logs: Sequence[Log]) -> Columns:
     """The columns without sensors that say nothing, as what a planar arm has across its plane."""
-    silent = {c.name for c in columns.sensors if all(_constant(log.columns[c.name]) for log in logs)}
+    moving = moved_places(model, columns).names(columns)
+    silent = {c.name for c in columns.sensors if all(constant(log.columns[c.name]) for log in logs)} - moving
     left = tuple(column for column in columns.columns if column.name not in silent)
     return columns.model_copy(update={"columns": left})

@@ -6,7 +6,9 @@ times too narrow; here those of a fifth of a second count as one.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from scipy.special import stdtrit
@@ -18,8 +20,8 @@ from .solve import Estimate, Fit
 CLUSTER = 0.2
 """Seconds whose residuals count as one."""
 LEVERAGE = 0.99
-"""The share of the information of a cluster that is taken off: with all of it a number that follows from one alone
-would have no interval."""
+"""The largest share of a residual of a cluster that fits may follow: with all of it a number that follows from one
+cluster alone would have no interval."""
 LOST = 1.0
 """Of a number or a direction with a larger deviation, in logarithms or over a scale, the data say nothing: in
 a third of all cases it is more than 2.7 times as large or as small."""
@@ -35,15 +37,16 @@ class Uncertainty:
     """(k,): standard deviations of what is sought."""
     directions: list[tuple[np.ndarray, float]]
     """Those that neither determines: changes (k,) of what is sought, the largest one 1, and their deviation."""
-    quantile: float
-    """Half an interval over the deviation."""
+    quantile: np.ndarray
+    """(k,): half an interval over the deviation."""
 
 
 def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
     """How well the numbers of an estimate are known.
 
-    The score of a cluster is what it would be if the numbers had been found without it: a cluster from which a number
-    follows has a residual that is too small.
+    What is sought and the starts of windows follow the noise of a cluster, so that its residuals are too small. Its
+    score is that of residuals as large as they were before, (I - H)^(-1/2) r with the cluster's part H of the projector
+    on what is fitted, and intervals have the degrees of freedom that this leaves (Bell and McCaffrey, 2002).
     """
     found = [g.linearised(fit.problem, at.sought, s) for g, s in zip(fit.problem.groups, at.shift, strict=True)]
     windows = [
@@ -51,13 +54,13 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
         for group, own, shift in zip(fit.problem.groups, found, at.shift, strict=True)
         for w in range(len(group.compared))
     ]
-    A = np.sum([information for information, _, _ in windows], axis=0)
-    scores = np.concatenate([own for _, _, own in windows])
-    parts = np.concatenate([own for _, own, _ in windows])
+    A = np.sum([window.sought.T @ window.sought for window in windows], axis=0)
     known = np.diag(1 / fit.priors[:, 1] ** 2)
     inverse = np.linalg.pinv(A + known, rcond=1e-14, hermitian=True)
-    left = np.eye(len(A)) - LEVERAGE * parts @ inverse
-    scores = np.linalg.solve(left, scores[..., None])[..., 0]
+    values, vectors = np.linalg.eigh(inverse)
+    root = vectors * np.sqrt(np.maximum(values, 0.0))
+    clusters = [[_of_cluster(window, c, root) for c in np.unique(window.cluster)] for window in windows]
+    scores = np.array([cluster.score for own in clusters for cluster in own])
     B = scores.T @ scores
     directions = lost_directions(A + known, B + known)
     covariance = inverse @ (B + known) @ inverse
@@ -67,18 +70,38 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
     for direction, size in directions:
         lost = np.abs(direction) >= NAMED
         deviation[lost] = np.maximum(deviation[lost], size * np.abs(direction[lost]))
-    return Uncertainty(deviation, directions, _quantile(len(scores) - len(A)))
+    return Uncertainty(deviation, directions, _quantiles(clusters))
 
 
-def _quantile(freedom: int) -> float:
-    """Within so many deviations a number is in 95 of 100 cases, Student's, when clusters leave so many degrees."""
-    return float(stdtrit(max(freedom, 1), 0.975))
+class _Window(NamedTuple):
+    """Rows (m, ...) of a window: residuals, then what is known beforehand of its start."""
+
+    sought: np.ndarray
+    """(m, k): how they change with what is sought, its states eliminated."""
+    states: np.ndarray
+    """(m, n): an orthonormal basis of how they change with its start."""
+    r: np.ndarray
+    cluster: np.ndarray
+    """The number of the cluster of each row."""
+
+
+class _Cluster(NamedTuple):
+    """The score (k,) of a cluster, and of each number sought how its square follows from noise, (..., k).
+
+    It is that of a vector u of the residuals: `size` u·u, `by_states` and `by_sought` what u has in common with
+    orthonormal directions of the start and of what is sought, along which a fit follows the noise.
+    """
+
+    score: np.ndarray
+    size: np.ndarray
+    by_states: np.ndarray
+    by_sought: np.ndarray
 
 
 def _of_window(
     fit: Fit, group: MeasuredCases, at: Estimate, found: tuple[np.ndarray, ...], w: int, shift: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Information (k, k) of a window on what is sought, its states eliminated, that of clusters, and their scores.
+) -> _Window:
+    """The rows of a window.
 
     What is known beforehand of its start follows from its first readings, so that it counts with the first cluster.
     """
@@ -87,13 +110,46 @@ def _of_window(
     Q, _ = np.linalg.qr(np.vstack([J_x, np.eye(n)]))
     rows = np.vstack([J_p, np.zeros((n, k))])
     rows -= Q @ (Q.T @ rows)
-    sensors = found[0].shape[-1]
-    seconds = np.arange(len(r)) // sensors * group.step
-    of = (seconds // CLUSTER).astype(int)
-    own = [rows[: len(r)][of == c] for c in range(of[-1] + 1)]
-    scores = np.array([x.T @ r[of == c] for c, x in enumerate(own)])
-    scores[0] += rows[len(r) :].T @ shift
-    return rows.T @ rows, np.array([x.T @ x for x in own]), scores
+    seconds = np.arange(len(r)) // found[0].shape[-1] * group.step
+    return _Window(rows, Q, np.append(r, shift), np.append((seconds // CLUSTER).astype(int), np.zeros(n, int)))
+
+
+def _of_cluster(window: _Window, number: int, root: np.ndarray) -> _Cluster:
+    """A cluster of a window; `root` (k, k) times its transpose is the inverse of the information."""
+    own = window.cluster == number
+    x, Q, r = window.sought[own], window.states[own], window.r[own]
+    V = np.hstack([Q, x @ root])  # H = V Vᵀ
+    shares, axes = np.linalg.eigh(V.T @ V)
+    shares = np.clip(shares, 0.0, LEVERAGE)
+    along, some = V @ axes, np.maximum(shares, 1e-9)
+    half, whole = ((1 - some) ** -0.5 - 1) / some, 1 / (1 - some)  # (I - H)^a = I + along diag along^T
+    common, inverse = x.T @ along, root @ root.T
+    grown = x + (along * half) @ common.T
+    return _Cluster(
+        x.T @ r + (common * half) @ (along.T @ r),
+        np.sum(inverse * ((x.T @ x + (common * whole) @ common.T) @ inverse), axis=0),
+        Q.T @ grown @ inverse,
+        root.T @ (x.T @ grown) @ inverse,
+    )
+
+
+def _quantiles(clusters: Sequence[Sequence[_Cluster]]) -> np.ndarray:
+    """Within so many deviations each number is in 95 of 100 cases, Student's of as many degrees as clusters leave.
+
+    `clusters`: those of every window. With noise of one size the sum of squared scores has the mean tr Ω and the
+    variance 2 tr Ω², Ω the products of what scores make of the noise that fits leave.
+    """
+    trace, square = 0.0, 0.0
+    by_sought = [np.stack([c.by_sought for c in own], axis=1) for own in clusters]  # (k, clusters, k) of each window
+    for own, T in zip(clusters, by_sought, strict=True):
+        S = np.stack([c.by_states for c in own], axis=1)
+        block = np.einsum("cj,cd->cdj", np.array([c.size for c in own]), np.eye(len(own)))
+        block -= np.einsum("scj,sdj->cdj", S, S)
+        trace = trace + np.einsum("ccj->j", block) - np.sum(T**2, axis=(0, 1))
+        square = square + np.sum(block**2, axis=(0, 1)) - 2 * np.einsum("scj,sdj,cdj->j", T, T, block)
+    T = np.concatenate(by_sought, axis=1)
+    square = square + np.sum(np.einsum("scj,tcj->stj", T, T) ** 2, axis=(0, 1))
+    return np.asarray(stdtrit(np.maximum(trace**2 / np.maximum(square, 1e-300), 1.0), 0.975))
 
 
 def lost_directions(A: np.ndarray, B: np.ndarray) -> list[tuple[np.ndarray, float]]:

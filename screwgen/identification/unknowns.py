@@ -20,6 +20,8 @@ from .logs import Log
 from .sensing import NUMBERS, numbers_of
 
 PARAMETER, SENSOR, INPUT = "parameter", "sensor", "input"
+CONSTANT = 1e-3
+"""The share of its size by which a column must vary to be no constant."""
 NUMBERS_SAID = ("value", "deviation", "low", "high")
 FREE = re.compile(
     r"\s*(?P<pattern>\S+?)(?P<together>\s+together)?\s*(?:=\s*(?P<value>[^\s±]+)\s*(?:±|\+-)\s*(?P<deviation>\S+))?"
@@ -148,9 +150,17 @@ def unknowns_of_logs(
     logs: Sequence[Log],
     file: FileNumbers | None = None,
 ) -> Unknowns:
-    """Those that patterns name, with scales by how much the columns of logs vary; `file` as for :func:`unknowns`."""
-    of = lambda name: float(np.nanstd(np.concatenate([log.columns[name] for log in logs])))  # noqa: E731
-    sizes = {column.name: max(of(column.name), 1e-12) for column in columns.columns}
+    """Those that patterns name, with scales by how much the columns of logs vary; `file` as for :func:`unknowns`.
+
+    Of inputs that are constant, or nearly so, it is how large they are.
+    """
+
+    def size(column: Column) -> float:
+        values = np.concatenate([log.columns[column.name] for log in logs])
+        varies, large = float(np.nanstd(values)), float(np.sqrt(np.nanmean(values**2)))
+        return varies if varies > CONSTANT * large else large or 1.0
+
+    sizes = {column.name: size(column) for column in columns.columns}
     return unknowns(model, columns, [free] if isinstance(free, str) else free, sizes, file)
 
 

@@ -29,6 +29,13 @@ REST = 1e-9
 """Frequencies below this share of the largest are rigid motions."""
 
 
+UNITS = {2 * np.pi: "rad/s", 60.0: "per minute", 1000.0: "mHz", 1e-3: "kHz"}
+"""What frequencies may be stated in, and how many times larger than in Hz they then are."""
+OFF, BETTER = 0.4, 4.0
+"""The mean logarithm by which frequencies must be off those of the start, and how many times less in another unit, for
+that unit to be suspected."""
+
+
 @dataclass(frozen=True, eq=False)
 class TestedVibrations:
     """The vibrations of one test, and the modes of the model that they are."""
@@ -153,11 +160,34 @@ def tested(model: RobotModel, name: str, tests: Sequence[VibrationTest], p: np.n
             raise UsageError(
                 f"{called}: mode {most} is asked for; the robot has {len(found)} with joints {test.joints}"
             )
-        modes = np.array(test.modes or [], int) - 1
-        if test.modes is None:
-            apart = np.abs(np.log(np.array(test.frequencies)[:, None] / found))
-            modes = linear_sum_assignment(apart)[1]
+        modes = _paired(test, found)[0]
         out.append(TestedVibrations(model, called, test, modes))
+    return out
+
+
+def _paired(test: VibrationTest, found: np.ndarray, unit: float = 1.0) -> tuple[np.ndarray, float]:
+    """The modes (F,) of frequencies `found` (n,), Hz, that a test has, and by which logarithm they are off on average.
+
+    `unit`: how many times larger the test has them than in Hz.
+    """
+    apart = np.abs(np.log(np.array(test.frequencies)[:, None] / unit / found))
+    rows, modes = np.arange(len(apart)), np.array(test.modes or [], int) - 1
+    if test.modes is None:
+        rows, modes = linear_sum_assignment(apart)
+    return modes, float(np.mean(apart[rows, modes]))
+
+
+def of_frequencies(model: RobotModel, name: str, tests: Sequence[VibrationTest]) -> list[str]:
+    """Tests whose frequencies the model of the start has in another unit."""
+    out = []
+    for group in tested(model, name, tests, model.chain.parameters.values):
+        found = vibrations(model, group.test, group.posture, model.chain.parameters.values)[:, 0]
+        off = _paired(group.test, found)[1]
+        left = {unit: _paired(group.test, found, unit)[1] for unit in UNITS}
+        unit = min(left, key=lambda x: left[x])
+        if off > OFF and left[unit] < off / BETTER:
+            said = "are not those of the model, but would be if they were"
+            out.append(f"{group.name}: frequencies {said} {UNITS[unit]}: state them in Hz")
     return out
 
 

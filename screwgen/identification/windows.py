@@ -17,8 +17,9 @@ from ..robot_model import RobotModel
 from ..spec.columns import UNITS, Columns
 from ..topology.chain import Chain
 from . import smoothing
+from .logged_motion import LoggedMotion, MovedPlaces, logged_motion, moved_places
 from .logs import Log
-from .loop_states import closed, closed_near, independent
+from .loop_states import closed, closed_near, independent, walked
 from .signals import SensorSignal, Signals
 
 WIDE = 3.0
@@ -63,29 +64,20 @@ class Experiment:
         """The entry of `tau` that each of them drives."""
         return [self.model.tau_names.index(str(column.drives)) for column in self.columns.inputs]
 
-    @cached_property
-    def moved(self) -> dict[int, tuple[int, int, int]]:
-        """Of axes whose motion the log gives: the entry of `tau`, then the places in q and v, and the sensor."""
-        chain, out = self.model.chain, {}
-        measured = {column.measures: k for k, column in enumerate(self.columns.sensors)}
-        for joint in chain.prescribed:
-            place = chain.held_places[joint]
-            at = chain.place_in_q(place)
-            if joint not in self.driven and (name := self.model.q_names[at]) in measured:
-                out[joint] = at, place, measured[name]
-        return out
+    def coordinates(self, sensor: int) -> np.ndarray:
+        """What a sensor of a coordinate reads, (N,) in SI units."""
+        column = self.columns.sensors[sensor]
+        return np.asarray((self.readings[:, sensor] - column.offset) / column.scale * UNITS[column.unit])
 
     @cached_property
-    def given(self) -> dict[int, tuple[np.ndarray, np.ndarray]]:
-        """Values and rates (N,) of these axes in SI units, by the entry of `tau`."""
-        out = {}
-        for joint, (*_, sensor) in self.moved.items():
-            column = self.columns.sensors[sensor]
-            values = (self.readings[:, sensor] - column.offset) / column.scale * UNITS[column.unit]
-            if np.isnan(values).any():
-                raise UsageError(f"{self.log.name}: {column.name} moves an axis and lacks readings; cut the log there")
-            out[joint] = smoothing.motion(values, self.log.step, self.reach)
-        return out
+    def moved(self) -> MovedPlaces:
+        """The places of what the log moves: axes, and a base."""
+        return moved_places(self.model, self.columns)
+
+    @cached_property
+    def given(self) -> LoggedMotion:
+        """How these move."""
+        return logged_motion(self.moved, self.log, self.columns, self.readings, self.reach)
 
     @cached_property
     def stated(self) -> np.ndarray:
@@ -93,14 +85,25 @@ class Experiment:
         chain = self.model.chain
         names = chain.axis_names
         measured = {column.measures for column in self.columns.sensors}
-        moved = {at - chain.base_v for _, at, _ in self.moved.values()}
+        moved = {at - chain.base_v for at in self.moved.of_v if at >= chain.base_v}
         return np.array([k in moved if moved else name in measured for k, name in enumerate(names)], bool)
+
+    @cached_property
+    def stated_coordinates(self) -> np.ndarray:
+        """(N, stated joints): where these are, as it was read."""
+        chain, out = self.model.chain, []
+        measured = {column.measures: k for k, column in enumerate(self.columns.sensors)}
+        for at in chain.base_q + np.flatnonzero(self.stated):
+            if at in self.moved.of_q:
+                out.append(self.given.q[:, self.moved.of_q.index(at)])
+            else:
+                out.append(self.coordinates(measured[self.model.q_names[at]]))
+        return np.reshape(out, (len(out), len(self.log))).T
 
     @property
     def compared(self) -> list[int]:
-        """The sensors whose readings are compared: those that move axes are not."""
-        moving = {sensor for *_, sensor in self.moved.values()}
-        return [k for k in range(len(self.columns.sensors)) if k not in moving]
+        """The sensors whose readings are compared: those that move axes or the base are not."""
+        return [k for k in range(len(self.columns.sensors)) if k not in self.moved.sensors]
 
     def tau(self, first: np.ndarray, steps: int, gains: list[tuple[np.ndarray, np.ndarray]]) -> np.ndarray:
         """Inputs (lanes, steps, n_tau) of lanes that begin at samples `first`, by gain and bias (lanes,) of columns."""
@@ -108,8 +111,7 @@ class Experiment:
         out = np.zeros((len(first), steps, self.model.n_tau))
         for k, (place, (gain, bias)) in enumerate(zip(self.driven, gains, strict=True)):
             out[..., place] += gain[:, None] * (self.inputs[at, k] + bias[:, None])
-        for joint, (_, rate) in self.given.items():
-            out[..., joint] = (rate[at + 1] - rate[at]) / self.log.step
+        out[..., self.moved.of_tau] = self.given.vdot[at]
         return out
 
     def cut(self, seconds: float, shortest: int) -> list[tuple[int, int]]:
@@ -157,10 +159,26 @@ def change_between(chain: Chain, x: np.ndarray, other: np.ndarray) -> np.ndarray
 
 def starts(experiment: Experiment, signals: Signals, firsts: list[int], p: np.ndarray) -> list[StartState]:
     """The states at these samples, by Gauss and Newton from smoothed readings, at parameters (n,)."""
-    return [_start(experiment, signals, first, p) for first in firsts]
+    out = list[StartState]()
+    for first in firsts:
+        near = along(experiment, out[-1].x, slice(firsts[len(out) - 1], first + 1), p) if out else None
+        out.append(_start(experiment, signals, first, p, near))
+    return out
 
 
-def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray) -> StartState:
+def along(experiment: Experiment, x: np.ndarray, samples: slice, p: np.ndarray) -> np.ndarray | None:
+    """The state near which loops are closed at the last of some samples, at the first of which it is `x`.
+
+    Linkages have several postures of one crank angle; from sample to sample they stay in that in which they are.
+    """
+    model, kept = experiment.model, experiment.stated
+    if not model.chain.closing.rows or not kept.any():
+        return None
+    own = experiment.stated_coordinates[samples]
+    return walked(model, x, p, model.chain.base_q + np.flatnonzero(kept), own[np.isfinite(own).all(axis=1)], kept)
+
+
+def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray, near: np.ndarray | None) -> StartState:
     model, step = experiment.model, experiment.log.step
     plain = [k for k in experiment.compared if not signals.signals[k].accelerates]
     seen = smoothing.smoothed(experiment.readings[:, plain], first, step, experiment.reach)
@@ -170,23 +188,27 @@ def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray) 
     size = np.nanstd(experiment.readings[:, plain], axis=0) / np.abs(scale)
     of_value = np.maximum(WIDE * seen.of_value / np.abs(scale), 1e-3 * size)
     of_rate = np.maximum(WIDE * seen.of_rate / np.abs(scale), 1e-3 * size / (experiment.reach * step))
-    x, wide = _at_rest(model, p)
     chain, n, nv = model.chain, model.nq, model.nv
+    x, wide = _at_rest(model, p)
+    joints = slice(chain.base_q, chain.base_q + chain.n_joints)
+    if near is not None:
+        x[joints] = near[joints]
     for k, sensor in enumerate(plain):
         if (one := signals.signals[sensor]).kind in ("q", "v"):
             unit = UNITS[one.column.unit]
             x[one.place + model.nq * (one.kind == "v")] = value[k] * unit
-            mode, first = (one.place - chain.eta_v, nv) if one.kind == "v" else (one.place - chain.eta_q, 0)
+            mode, rates = (one.place - chain.eta_v, nv) if one.kind == "v" else (one.place - chain.eta_q, 0)
             if mode >= 0:  # one that rings is not bent as under the load of others
-                wide[first + chain.eta_v + mode] = max(wide[first + chain.eta_v + mode], WIDE * size[k] * unit)
+                at = rates + chain.eta_v + mode
+                wide[at] = max(wide[at], WIDE * size[k] * unit)
     if chain.n_added:
         for first, end in ((chain.base_q, chain.eta_q), (n + chain.base_v, n + chain.eta_v)):
             x[first:end] = chain.with_added(x[first : end - chain.n_added], p)
-    x[:n] = chain.unit(x[:n])
     held = np.zeros(len(wide), bool)
-    for joint, (at_q, at_v, _) in experiment.moved.items():
-        x[at_q], x[model.nq + at_v] = (curve[first] for curve in experiment.given[joint])
-        held[[at_v, nv + at_v]] = True
+    of_v = np.array(experiment.moved.of_v, int)
+    x[np.array(experiment.moved.of_q, int)] = experiment.given.q[first]
+    x[n + of_v], held[[of_v, nv + of_v]] = experiment.given.v[first], True
+    x[:n] = chain.unit(x[:n])
     (middle, _), likely = _at_rest(model, p), _likely(chain, p, wide)
     free, kept = np.flatnonzero(~held), experiment.stated
     if chain.closing.rows:
@@ -234,8 +256,6 @@ def _needs_rates(one: SensorSignal) -> bool:
 def _at_rest(model: RobotModel, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """A state at rest, and changes of it (nv + nvz,) as large as one may be that nothing measures."""
     chain = model.chain
-    if chain.moving:
-        raise UsageError("identify: robots whose base moves as is given are not identified yet; leave the base fixed")
     wide, rates = np.full(model.nv, FAR), np.full(chain.nvz, SLIPPED)
     rates[: model.nv] = QUICK * FAR
     for i, (segment, constants) in enumerate(zip(chain.segments, model.numpy(p).constants, strict=True)):

@@ -202,20 +202,21 @@ def closed_start(
 ) -> tuple[np.ndarray, np.ndarray]:
     """`start` (nq,) with closed loops, and which joints (n_joints,) of bool may be stated; `hold`: these stay.
 
-    `preferred` (n_joints,) of bool: joints to state before others, which then stay alone.
+    `preferred` (n_joints,) of bool: joints to state before others, which then stay alone. A floating base stays.
     """
     chain = model.chain
     if not chain.closing.rows:
         return start, np.ones(chain.n_joints, bool)
-    numeric, m, fixed = model.numpy(p), chain.n_joints, np.zeros(chain.nv, bool)
-    fixed[m : chain.eta_v] = True
+    numeric, fixed = model.numpy(p), np.zeros(chain.nq, bool)
+    joints = slice(chain.base_q, chain.base_q + chain.n_joints)
+    fixed[joints.stop : chain.eta_q] = True
     near = closed_softly(numeric, start, fixed)
     stated = stated_joints(model, near, p, preferred)
     if hold:
-        fixed[:m] = stated if preferred is None else stated & preferred
-        near[:m] = np.where(fixed[:m], start[:m], near[:m])
+        fixed[joints] = stated if preferred is None else stated & preferred
+        near[joints] = np.where(fixed[joints], start[joints], near[joints])
         near = closed_softly(numeric, near, fixed)
-    return np.append(chain.with_added(near[:m], p), near[chain.eta_q :]), stated
+    return np.concatenate([near[: joints.start], chain.with_added(near[joints], p), near[chain.eta_q :]]), stated
 
 
 def _statics(model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray) -> Statics:

@@ -25,12 +25,6 @@ class Refusal(NamedTuple):
 LOOPED = ("ball loop", "hinge loop", "slide loop", "welded loop", "coupling")
 NOT_PLANNED = ("floating", "afloat", "moving", "ball", "bristles", *LOOPED, "winch")
 REFUSALS: tuple[Refusal, ...] = (
-    Refusal("identification", ("moving",), "are not identified yet", "bases that move as is given follow no reading"),
-    *(
-        Refusal("identification", (x, base), "are identified on a fixed base", "windows close loops of such arms alone")
-        for x in LOOPED
-        for base in ("floating", "afloat")
-    ),
     Refusal("C, fused", (), "would be one function of", "compilers take long over one function so large", large=True),
     *(
         refusal

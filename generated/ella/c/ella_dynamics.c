@@ -1,6 +1,12 @@
 /* ella_dynamics.c: forward dynamics of the joint form by block elimination, tip to base;
  * inverse dynamics and mass matrix.
  */
+/* Long straight lines: GCC schedules them before it hands out registers on most processors, on x86 only where it is
+ * told to, and makes vectors of neighbours there, which takes longer than it saves. Results are the same to the bit.
+ */
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#pragma GCC optimize("no-tree-slp-vectorize", "schedule-insns", "sched-pressure")
+#endif
 #include "ella_links.h"
 
 /* The call at a state, with inertia m and force f of the coordinates that have their own. */

@@ -207,12 +207,6 @@ class Coordinates(LawCoordinates):
             return x[first : first + self.n_joints]
         return [x[place] for place in self.axis_places]
 
-    @cached_property
-    def axis_places(self) -> list[int]:
-        """Where in `q` the coordinate along each torque stands; of a ball joint those of its quaternion's vector."""
-        ahead = [0 if key.joint.turn_at is None else key.joint.turn_at + 1 for key in self.keys]
-        return [self.q_offset[i] + ahead[i] + k for i, key in enumerate(self.keys) for k in range(key.torques)]
-
     def place_in_q(self, rate: int) -> int:
         """Where in `q` the coordinate stands whose rate is entry ``rate`` of `v`, behind the twist of a floating base.
 

@@ -117,3 +117,9 @@ class JointCoordinates:
     def flat_v(self) -> np.ndarray:
         """Their rates, as indices in `v`."""
         return np.setdiff1d(np.arange(self.nv), [k for part in self.curved for k in range(part.v.start, part.v.stop)])
+
+    @cached_property
+    def axis_places(self) -> list[int]:
+        """Where in `q` the coordinate along each torque stands; of a ball joint those of its quaternion's vector."""
+        ahead = [0 if key.joint.turn_at is None else key.joint.turn_at + 1 for key in self.keys]
+        return [self.q_offset[i] + ahead[i] + k for i, key in enumerate(self.keys) for k in range(key.torques)]

@@ -1,5 +1,6 @@
 """Identification says what the data do not determine, and what is wrong with a log, in a line each."""
 
+import json
 from dataclasses import replace
 
 import numpy as np
@@ -81,6 +82,18 @@ def test_what_the_data_do_not_determine_is_said(case):
     (said,) = found.undetermined
     assert words in said
     assert not all(one.determined for one in found.estimates)
+
+
+def test_numbers_that_are_hard_to_tell_apart_are_named_as_pairs():
+    """The scale of a gauge and the stiffness of the rod that it sits on; with one known the other's interval narrows."""
+    (model, log), free = swung(), ["rod.EIz", "gauge.scale"]
+    both, alone = (screwgen.identify(model, log, free=names, sensors=SENSORS, window=0.5) for names in (free, free[:1]))
+    (pair,) = both.pairs
+    assert {pair.first, pair.second} == set(free) and 0.7 < pair.correlation < 1 and not both.undetermined
+    wide, narrow = (found["rod.EIz"].high - found["rod.EIz"].low for found in (both, alone))
+    assert wide / narrow == pytest.approx(pair.better, rel=0.2)
+    assert pair.remedy in both.report() and json.loads(both.to_json())["pairs"][0]["first"] == pair.first
+    assert not alone.pairs and "hard to tell apart" not in alone.report()
 
 
 # ------------------------------------------------------------------------------ logs

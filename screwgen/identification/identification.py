@@ -127,6 +127,19 @@ class MeasuredVibration:
         return f"{told}, damping ratio {self.damping:.3g}, {self.damping_before:.3g} -> {self.damping_found:.3g}"
 
 
+@dataclass(frozen=True)
+class NumberPair:
+    """Two numbers that the data determine, whose errors go together."""
+
+    first: str
+    second: str
+    correlation: float
+    better: float
+    """By how much either would be better known if the other were."""
+    remedy: str
+    """What would tell them apart."""
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Identification:
     """What was identified."""
@@ -150,6 +163,8 @@ class Identification:
     """How the fit went: iterations, rollouts, seconds, why it stopped."""
     vibrations: tuple[MeasuredVibration, ...] = ()
     """Measured vibrations beside the model."""
+    pairs: tuple[NumberPair, ...] = ()
+    """Numbers that are hard to tell apart."""
 
     def __getitem__(self, name: str) -> Estimated:
         for one in self.estimates:
@@ -183,6 +198,7 @@ class Identification:
                 for x in self.explained
             ],
             "undetermined": list(self.undetermined),
+            "pairs": [asdict(one) for one in self.pairs],
             "notes": list(self.notes),
             "whiteness": dict(self.whiteness),
             "vibrations": [asdict(one) for one in self.vibrations],

@@ -28,7 +28,7 @@ from .suspected import check_steps, frequencies, of_gains
 from .uncertainty import LOST, Uncertainty, uncertainty
 from .unknowns import INPUT, SENSOR, Unknowns, unknowns_of_logs
 from .vibration_tests import TestedVibrations, of_frequencies, tested, tests_of
-from .words import direction_in_words
+from .words import direction_in_words, pairs
 
 SHORTER, OFF = (10.0, 3.0, 1.0), 0.3
 """How many times shorter windows are, one after the other, where the first fit leaves more than this share of the
@@ -145,6 +145,7 @@ def identify(
             if isinstance(group, TestedVibrations)
             for vibration in group.beside(model.chain.parameters.values, p)
         ),
+        pairs(asked, known),
     )
 
 

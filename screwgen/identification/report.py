@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..plotting.report_page import Context, ReportSection, embedded, report_page, said, table
+from ..plotting.report_page import Context, ReportSection, TableRow, embedded, report_page, said, table
 from .report_figures import over_start, spectra
 from .residuals import spectrum
 
@@ -42,6 +42,15 @@ def _notes(found: Identification) -> Context:
 
 def _undetermined(found: Identification) -> Context:
     return said(found.undetermined, "The data determine all numbers that were free.")
+
+
+def _pairs(found: Identification) -> Context:
+    head = ("number", "with", "what would tell them apart", "correlation", "if one were known the other would be")
+    rows = [
+        TableRow((x.first, x.second, x.remedy, f"{x.correlation:+.2f}", f"{x.better:.2g} times better"))
+        for x in found.pairs
+    ]
+    return table(head, rows, words=3) if rows else {}
 
 
 def _numbers(found: Identification) -> Context:
@@ -87,6 +96,7 @@ SECTIONS: Sequence[ReportSection[Identification]] = (
     ReportSection("What is odd", "report/said", _notes),
     ReportSection("What the data do not determine", "report/said", _undetermined),
     ReportSection("Numbers, before and after", "identify/numbers", _numbers),
+    ReportSection("Numbers that are hard to tell apart", "report/table", _pairs),
     ReportSection("Measured vibrations", "report/said", _vibrations),
     ReportSection("Measured against model", "report/table", _curves),
     ReportSection("What is left", "identify/residuals", _residuals),

@@ -39,6 +39,8 @@ class Uncertainty:
     """Those that neither determines: changes (k,) of what is sought, the largest one 1, and their deviation."""
     quantile: np.ndarray
     """(k,): half an interval over the deviation."""
+    correlation: np.ndarray
+    """(k, k): how the errors of two numbers go together, from -1 to 1."""
 
 
 def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
@@ -70,7 +72,8 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
     for direction, size in directions:
         lost = np.abs(direction) >= NAMED
         deviation[lost] = np.maximum(deviation[lost], size * np.abs(direction[lost]))
-    return Uncertainty(deviation, directions, _quantiles(clusters))
+    spread = np.sqrt(np.maximum(np.diag(covariance), 1e-300))
+    return Uncertainty(deviation, directions, _quantiles(clusters), covariance / np.outer(spread, spread))
 
 
 class _Window(NamedTuple):

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import combinations
 
 import numpy as np
 
-from .uncertainty import NAMED
+from .identification import NumberPair
+from .uncertainty import NAMED, Uncertainty
 from .unknowns import FreeNumber
 
 EVEN = 0.1
 """By how much two entries of a direction may differ and count as equal."""
 FEW = 4
 """Numbers of a direction that are named."""
+TOGETHER = 0.7
+"""The correlation from which on numbers are named as a pair: half of the variance of one is that of the other."""
 SCALE = "forces and masses have no scale"
 SCALED = "state the gain of a drive, or weigh a part"
 REMEDIES = (
@@ -45,6 +49,24 @@ def direction_in_words(unknowns: Sequence[FreeNumber], direction: np.ndarray, si
     own = [unknowns[k] for k in named]
     what = _what(own, direction[named])
     return f"{what}; {SCALED if what.endswith(SCALE) else remedy(own)}"
+
+
+def pairs(unknowns: Sequence[FreeNumber], known: Uncertainty) -> tuple[NumberPair, ...]:
+    """Those whose errors have a correlation r of TOGETHER or more, the strongest first.
+
+    With one of them known the deviation of the other is smaller by sqrt(1 - r²).
+    """
+    left = {k for direction, _ in known.directions for k in np.flatnonzero(np.abs(direction) >= NAMED)}
+    found = [
+        (float(known.correlation[i, j]), unknowns[i], unknowns[j])
+        for i, j in combinations(range(len(unknowns)), 2)
+        if not {i, j} & left
+    ]
+    return tuple(
+        NumberPair(a.name, b.name, r, float(max(1 - r * r, 1e-12) ** -0.5), remedy((a, b)))
+        for r, a, b in sorted(found, key=lambda x: -abs(x[0]))
+        if abs(r) >= TOGETHER
+    )
 
 
 def _what(own: Sequence[FreeNumber], entries: np.ndarray) -> str:

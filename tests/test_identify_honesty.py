@@ -85,7 +85,7 @@ def test_what_the_data_do_not_determine_is_said(case):
 
 
 def test_numbers_that_are_hard_to_tell_apart_are_named_as_pairs():
-    """The scale of a gauge and the stiffness of the rod that it sits on; with one known the other's interval narrows."""
+    """The scale of a gauge and the stiffness of its rod; with one known the other's interval narrows."""
     (model, log), free = swung(), ["rod.EIz", "gauge.scale"]
     both, alone = (screwgen.identify(model, log, free=names, sensors=SENSORS, window=0.5) for names in (free, free[:1]))
     (pair,) = both.pairs

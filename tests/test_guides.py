@@ -282,7 +282,8 @@ def test_search_needs_no_server_and_finds_all_pages(site):
 def test_pictures_are_committed_and_are_those_that_are_shown():
     """So that they show wherever the repository is read; none is left of what no page shows."""
     there = {f.relative_to(pictures.PICTURES).as_posix() for f in pictures.PICTURES.rglob("*") if f.is_file()}
-    assert there == pictures.shown() and len(there) > 8
+    assert there == pictures.shown() | pictures.MEASURED and len(there) > 8
+    assert all(f"](pictures/{name})" in (DOCS / "peers.md").read_text(encoding="utf-8") for name in pictures.MEASURED)
     assert all(min(pixels(pictures.PICTURES / name)) > 300 for name in there)
     assert not [p.name for p in pages.GUIDES if "](../build/" in p.read_text()]
 

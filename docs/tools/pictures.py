@@ -18,6 +18,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from pages import GUIDES, ROOT
 
 PICTURES, BUILD = ROOT / "docs" / "pictures", ROOT / "build"
+MEASURED = frozenset({"peers/peers.png"})
+"""Pictures of benchmarks, which stay as they are: `make peers` draws them into build/, with the times of a machine."""
 SHOWN = re.compile(r"!\[[^\]]+\]\(pictures/([^)]+)\)")
 
 
@@ -32,7 +34,9 @@ def main() -> int:
     if missing:
         print(f"pictures: not in build/: {', '.join(missing)}; `make docs` draws them", file=sys.stderr)
         return 1
-    shutil.rmtree(PICTURES, ignore_errors=True)
+    for old in PICTURES.rglob("*"):
+        if old.is_file() and old.relative_to(PICTURES).as_posix() not in MEASURED:
+            old.unlink()
     for name in sorted(shown()):
         (PICTURES / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(BUILD / name, PICTURES / name)

@@ -109,6 +109,8 @@ def run(options: argparse.Namespace, progress: Progress) -> tuple[list[Row], lis
     for name, make in others:
         if not options.quick:
             jobs[name] = partial(make, options.out / name, compiler, progress)
+    if unknown := [name for name in options.groups or () if name not in jobs]:
+        sys.exit(f"bench: there is no group '{unknown[0]}'; choose {', '.join(jobs)}")
     for name, job in jobs.items():
         if options.groups is None or name in (*options.groups, "medians"):
             progress.stage(f"{name}: deriving and generating")

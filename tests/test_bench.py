@@ -134,6 +134,12 @@ def test_numbers():
     assert printed([Row("group; ratio", "one", 1e-9, 1.0)]).splitlines()[0].split() == list(HEAD[1:])
 
 
+def test_a_group_that_there_is_not_is_named(tmp_path):
+    command = [sys.executable, BENCH / "bench.py", "--groups", "elle", "--out", tmp_path]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 1 and "no group 'elle'; choose lagrangian2, " in done.stderr and not done.stdout
+
+
 # -------- other tools
 
 

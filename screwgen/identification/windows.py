@@ -202,8 +202,8 @@ def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray, 
                 at = rates + chain.eta_v + mode
                 wide[at] = max(wide[at], WIDE * size[k] * unit)
     if chain.n_added:
-        for first, end in ((chain.base_q, chain.eta_q), (n + chain.base_v, n + chain.eta_v)):
-            x[first:end] = chain.with_added(x[first : end - chain.n_added], p)
+        for begin, end in ((chain.base_q, chain.eta_q), (n + chain.base_v, n + chain.eta_v)):
+            x[begin:end] = chain.with_added(x[begin : end - chain.n_added], p)
     held = np.zeros(len(wide), bool)
     of_v = np.array(experiment.moved.of_v, int)
     x[np.array(experiment.moved.of_q, int)] = experiment.given.q[first]

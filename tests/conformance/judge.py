@@ -71,7 +71,8 @@ class Judge:
         """Whether the mass matrix is positive definite there."""
         M = self.oracle.mass_matrix(q)
         sizes = np.sqrt(np.abs(np.diag(M)))
-        return bool(np.linalg.eigvalsh(M / np.outer(sizes, sizes))[0] > DEFINITE)
+        scaled = M / np.outer(sizes, sizes)  # not a number where a transmission is out of reach
+        return bool(np.isfinite(scaled).all() and np.linalg.eigvalsh(scaled)[0] > DEFINITE)
 
     @cached_property
     def condition(self) -> float:

@@ -1,19 +1,7 @@
 // pinocchio_aba.cpp: Pinocchio's articulated-body algorithm, compiled from its headers.
 #include <pinocchio/algorithm/aba.hpp>
 
-#include "pinocchio_chain.hpp"
-
-namespace {
-
-struct Chain {
-    explicit Chain(const pinocchio::Model &m) : model(m), data(model) {}
-    pinocchio::Model model;
-    pinocchio::Data data;
-};
-
-typedef Eigen::Map<const Eigen::VectorXd> Vector;
-
-} // namespace
+#include "pinocchio_data.hpp"
 
 void *pinocchio_chain(int n, const double joints[][JOINT_NUMBERS])
 {

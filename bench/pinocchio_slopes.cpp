@@ -4,17 +4,10 @@
 
 #include <ctime>
 
-#include "pinocchio_chain.hpp"
+#include "pinocchio_data.hpp"
 
 namespace {
 
-struct Chain {
-    explicit Chain(const pinocchio::Model &m) : model(m), data(model) {}
-    pinocchio::Model model;
-    pinocchio::Data data;
-};
-
-typedef Eigen::Map<const Eigen::VectorXd> Vector;
 typedef Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> Rows;
 
 double seconds()
@@ -22,6 +15,19 @@ double seconds()
     timespec t;
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
     return t.tv_sec + 1e-9 * t.tv_nsec;
+}
+
+// Seconds that so many calls of an algorithm take at a state.
+template <typename Algorithm>
+double timed(void *chain, const double *q, const double *v, const double *tau, long calls, Algorithm algorithm)
+{
+    Chain *x = static_cast<Chain *>(chain);
+    const int n = x->model.nv;
+    const double begin = seconds();
+    for (long k = 0; k < calls; ++k) {
+        algorithm(x->model, x->data, Vector(q, n), Vector(v, n), Vector(tau, n));
+    }
+    return seconds() - begin;
 }
 
 } // namespace
@@ -35,24 +41,16 @@ void *peer_chain(int n, const double (*joints)[JOINT_NUMBERS])
 
 double peer_dynamics(void *chain, const double *q, const double *v, const double *tau, long calls)
 {
-    Chain *x = static_cast<Chain *>(chain);
-    const int n = x->model.nv;
-    const double begin = seconds();
-    for (long k = 0; k < calls; ++k) {
-        pinocchio::aba(x->model, x->data, Vector(q, n), Vector(v, n), Vector(tau, n));
-    }
-    return seconds() - begin;
+    return timed(chain, q, v, tau, calls, [](const auto &model, auto &data, const auto &...at) {
+        pinocchio::aba(model, data, at...);
+    });
 }
 
 double peer_derivatives(void *chain, const double *q, const double *v, const double *tau, long calls)
 {
-    Chain *x = static_cast<Chain *>(chain);
-    const int n = x->model.nv;
-    const double begin = seconds();
-    for (long k = 0; k < calls; ++k) {
-        pinocchio::computeABADerivatives(x->model, x->data, Vector(q, n), Vector(v, n), Vector(tau, n));
-    }
-    return seconds() - begin;
+    return timed(chain, q, v, tau, calls, [](const auto &model, auto &data, const auto &...at) {
+        pinocchio::computeABADerivatives(model, data, at...);
+    });
 }
 
 // Accelerations (n), and the changes with q, v and tau (n by n, row by row).

@@ -24,7 +24,7 @@ DEFINES = (  # as Pinocchio's own CMake package states them
     "-DBOOST_FUSION_INVOKE_MAX_ARITY=12",
     "-DNDEBUG",
 )
-SOURCES = ("pinocchio_aba.h", "pinocchio_chain.hpp")
+SOURCES = ("pinocchio_aba.h", "pinocchio_chain.hpp", "pinocchio_data.hpp")
 
 
 def folder_of(module: str) -> Path:

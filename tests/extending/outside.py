@@ -8,7 +8,10 @@ import numpy as np
 import pytest
 from conformance.cases import Case
 from conformance.checks import CHECKS
-from helpers import EPS, Model, relative
+from helpers import EPS, QUICK, Model, relative
+
+from screwgen.runtime.estimator import CompiledEstimator, Noise
+from screwgen.simulation.estimator import Estimator
 
 every_check = pytest.mark.parametrize(
     "check",
@@ -45,3 +48,16 @@ class Outside(Case):
         """In NumPy it moves as it is expected to, and what else is built on that agrees."""
         assert max(self._errors(*self.model.numpy().forward_dynamics(*self.given)).values()) <= self.tolerance
         CHECKS[check].run(self)
+
+
+def filters_agree(model: Model, q, v, tau, w_ext, h: float) -> None:
+    """The filter in C does what that in Python does, over a step of h seconds and a measured acceleration."""
+    noise = Noise(np.array([0.02] * 5 + [1e-4]), 1e-10, 1e-3, 1e-5, 0.05, 0.02)
+    filters = CompiledEstimator(model, flags=QUICK), Estimator(model)
+    for e in filters:
+        e.start(q, v, 1e-2, 1e-1, noise)
+        e.predict(tau, w_ext, h)
+        e.update(tau, w_ext, acceleration=np.array([1.0, -2.0, 3.0]))
+    assert relative(*(np.concatenate(e.state) for e in filters)) < 1e-9
+    assert relative(*(e.covariance for e in filters)) < 1e-6
+    assert relative(*(e.innovations["acceleration"].value for e in filters)) < 1e-9

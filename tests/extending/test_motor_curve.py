@@ -6,15 +6,14 @@ import casadi
 import numpy as np
 import pytest
 from fmi_units import Unit
-from helpers import QUICK, arm, link, model_of, quick, quick_batch, relative
+from helpers import arm, link, model_of, quick, quick_batch, relative
+from outside import filters_agree
 
 from screwgen import LimitWarning, rollout, simulate, sweep
 from screwgen.backends.fmi.variables import METHOD
 from screwgen.backends.numpy.held import HeldChain
 from screwgen.elements import HeldLaw, key
 from screwgen.integrators import METHODS
-from screwgen.runtime.estimator import CompiledEstimator, Noise
-from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.linearised import Linearised
 from screwgen.simulation.simulate import stepper
 
@@ -169,15 +168,7 @@ def test_filters_know_them():
     found = HeldChain(MODEL.chain, MODEL.parameter_values)(Q, V, TAU, *found)
     want = np.transpose([(vdot(x + e) - vdot(x - e)) / 2e-5 for e in 1e-5 * np.eye(16)])
     assert relative(np.hstack(found), want) < 1e-8
-    noise = Noise(np.array([0.02] * 5 + [1e-4]), 1e-10, 1e-3, 1e-5, 0.05, 0.02)
-    filters = CompiledEstimator(MODEL, flags=QUICK), Estimator(MODEL)
-    for e in filters:
-        e.start(Q, V, 1e-2, 1e-1, noise)
-        e.predict(TAU, W_EXT, H)
-        e.update(TAU, W_EXT, acceleration=np.array([1.0, -2.0, 3.0]))
-    assert relative(*(np.concatenate(e.state) for e in filters)) < 1e-9
-    assert relative(*(e.covariance for e in filters)) < 1e-6
-    assert relative(*(e.innovations["acceleration"].value for e in filters)) < 1e-9
+    filters_agree(MODEL, Q, V, TAU, W_EXT, H)
 
 
 @pytest.mark.parametrize("target", ["fmu2", "fmu3"])

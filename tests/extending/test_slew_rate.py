@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 from fmi_units import Unit
-from helpers import QUICK, arm, link, model_of, quick, quick_batch, relative
-from outside import Outside
+from helpers import arm, link, model_of, quick, quick_batch, relative
+from outside import Outside, filters_agree
 
 from screwgen import LimitWarning, UsageError, assemble, equilibrium, rollout, simulate
 from screwgen.backends.fmi.variables import METHOD
@@ -15,8 +15,6 @@ from screwgen.backends.latex.document import document
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.elements import HeldLaw, Key, MemoryRate, key
 from screwgen.integrators import METHODS
-from screwgen.runtime.estimator import CompiledEstimator, Noise
-from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.simulate import stepper
 
 
@@ -247,14 +245,7 @@ def test_what_does_not_know_them_says_so(tmp_path):
 
 
 def test_filters_know_them():
-    noise = Noise(np.array([0.02] * 5 + [1e-4]), 1e-10, 1e-3, 1e-5, 0.05, 0.02)
-    filters = CompiledEstimator(MODEL, flags=QUICK), Estimator(MODEL)
-    for e in filters:
-        e.start(Q, V, 1e-2, 1e-1, noise)
-        e.predict(TAU, W_EXT, H)
-        e.update(TAU, W_EXT, acceleration=np.array([1.0, -2.0, 3.0]))
-    assert relative(*(np.concatenate(e.state) for e in filters)) < 1e-9
-    assert relative(*(e.covariance for e in filters)) < 1e-6
+    filters_agree(MODEL, Q, V, TAU, W_EXT, H)
 
 
 @pytest.mark.parametrize("target", ["fmu2", "fmu3"])

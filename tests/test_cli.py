@@ -257,6 +257,10 @@ def test_singular_posture_names_the_link(capsys, folder):
     ],
 )
 def test_interrupted_work_leaves_nothing(folder, number, status, message):
+    with process(
+        "simulate", "ella.toml", "--duration", "0.01", "--step", "1e-3", "-o", "short.npz"
+    ) as p:  # the C is compiled
+        assert p.wait() == 0
     before = sorted(os.listdir())
     with process("simulate", "ella.toml", "--duration", "2000", "--step", "1e-3", "-o", "run.npz") as p:
         for _ in range(200):

@@ -35,13 +35,19 @@ class Judge:
 
     @contextmanager
     def of(self, table: SampleTable) -> Iterator[None]:
-        """Warn of the loop of control before a run, of the model's limits after it, and name the cause of a failure."""
+        """Warn of the loop of control before a run, of the model's limits after it, and name the cause of a failure.
+
+        Of a run that is interrupted there is nothing to say, unless what was made of it is kept.
+        """
         self.fault = self.sampled.fault(self._ahead())
         if self.fault:
             warnings.warn(self.fault, ControlLoopWarning, stacklevel=4)
-        diverged = False
+        diverged = lost = False
         try:
             yield
+        except (KeyboardInterrupt, SystemExit) as stop:
+            lost = isinstance(stop, SystemExit) or not stop.args
+            raise
         except (DivergedError, SingularError) as error:
             diverged = not isinstance(error, KNOWN)
             cause = self._cause(error, table)
@@ -50,7 +56,7 @@ class Judge:
             diverged = True
             raise cause from None
         finally:
-            if not (diverged or self.fault):  # then the measures say nothing about the model
+            if not (lost or diverged or self.fault):  # then the measures say nothing about the model
                 table.watch.validity().warn(table.model, stacklevel=4)
 
     def _cause(self, error: DivergedError | SingularError, table: SampleTable) -> DivergedError | SingularError:

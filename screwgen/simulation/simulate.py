@@ -121,7 +121,7 @@ def simulate(
     table = SampleTable(model, time_grid(duration, step, every), p, q0, given)
     judge = Judge(Sampled(model, p, given, law, method_used(form, integrator), step, duration), q0, v0)
     try:
-        with stored(table, store), judge.of(table):
+        with judge.of(table), stored(table, store):
             walk(RunTask(steps, step, duration, every, q0, v0, given, law, progress), table)
             run = table.run()
             hits.warn(run.hits)

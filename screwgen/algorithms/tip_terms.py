@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ..ir.derivative import columns
-from ..ir.program import Program, Value
+from ..ir.derivative import columns, tangents
+from ..ir.program import Node, Program, Value
 from ..topology.chain import Chain
 from .functions import MOTION, Functions
 from .fused import fuse
@@ -21,7 +21,8 @@ class TipFunctions(Functions):
 
 
 def tip_terms(chain: Chain, turning: bool, moving: bool, constants: str = "constants") -> Program:
-    """``(q, v) -> (r, r_q, [R, R_q], [u, u_q])``, inertial components; derivatives column by column.
+    """``(q, v) -> (r, r_q, [R, R_q], [u, u_q])``, inertial components; derivatives column by column, of a pose by its
+    changes.
 
     ``r`` (3) is the position of the last tip, ``R`` (9) its rotation row by row if ``turning``, ``u`` (3) its velocity
     if ``moving``; that with v is ``r_q``.
@@ -29,7 +30,14 @@ def tip_terms(chain: Chain, turning: bool, moving: bool, constants: str = "const
 
     def body(f: TipFunctions, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
         R, r = f.poses(x["q"])[1][chain.last]
-        flat = lambda values: [s for column in columns(values, x["q"]) for s in column]  # noqa: E731
+        units = [[float(i == k) for i in range(chain.nv)] for k in range(chain.nv)] if chain.curved else []
+        pairs = [zip(x["q"], f.coordinate_rates(x["q"], unit), strict=True) for unit in units]
+        ways = [{at: rate for at, rate in pair if isinstance(at, Node)} for pair in pairs]
+
+        def flat(values: Sequence[Value]) -> list[Value]:
+            found = [tangents(values, way) for way in ways] if ways else columns(values, x["q"])
+            return [s for column in found for s in column]
+
         out: dict[str, Sequence[Value]] = {"r": r, "r_q": flat(r)}
         if turning:
             out |= {"R": R, "R_q": flat(R)}

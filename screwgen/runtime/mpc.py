@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -37,12 +37,9 @@ def _members(f: Fitted, content: dict[str, Any]) -> dict[str, tuple[int, ...]]:
     """The members of a controller's memory that are read or written here, and their shapes."""
     n, m, nx, N = f.n, f.modes, f.states, content["intervals"]
     nz, rows = content["nz"], content["rows"]
-    weights = dict.fromkeys(("joints", "joint_rates", "torques", "torque_rates"), (n,)) | dict.fromkeys(
-        ("tip_position", "tip_orientation", "tip_velocity"), (3,)
-    )
-    bounds = dict.fromkeys(
-        ("torque_lower", "torque_upper", "torque_rate", "joint_lower", "joint_upper", "joint_rate"), (n,)
-    )
+    weights = dict.fromkeys(("tip_position", "tip_orientation", "tip_velocity"), (3,))
+    bounds = dict.fromkeys(("torques", "torque_rates", "torque_lower", "torque_upper", "torque_rate"), (n,))
+    bounds |= dict.fromkeys(("joints", "joint_rates", "joint_lower", "joint_upper", "joint_rate"), (f.joints,))
     more = {"modes": (m,), "mode_rates": (m,), "terminal": (nx, nx), "terminal_factor": (1,), "penalty": (1,)}
     gauges, wrenches = (len(content["gauges"]),), (len(content["wrenches"]),)
     more |= {
@@ -57,9 +54,11 @@ def _members(f: Fitted, content: dict[str, Any]) -> dict[str, tuple[int, ...]]:
         "delay": (1,),
     }
     out = {f"options.{name}": shape for name, shape in (weights | bounds | more).items()}
-    out |= {"state.q": (f.nq,), "state.v": (nx - f.nq,), "acting": (n,), "tau": (n,)}
+    nq, nvz = f.chain.nq, f.chain.nvz
+    out |= {"state.q": (nq,), "state.v": (nvz,), "acting": (n,), "tau": (n,)}
+    out |= {"options.given": (len(f.given),)} if f.given else {}
     own = {
-        "x": (N + 1, nx),
+        "x": (N + 1, nq + nvz),
         "tau": (content["blocks"], n),
         "acting": (n,),
         "cost": (1,),
@@ -96,8 +95,9 @@ class CompiledMpc:
 
     As a controller of :func:`screwgen.simulate` it is called ``(t, q, v) -> tau``, with the state of its own model
     or, through ``projection`` (nq, nq of the plant), with that of another; it samples by itself, and with the delay of
-    its file a torque acts from the next sample on.  Internal states are taken as they are; they are zero, or left out,
-    where one of both models alone has any.
+    its file a torque acts from the next sample on.  Of inputs that are given and not chosen, as brakes, lines of
+    winches, motions of axes and of a base, :attr:`given` says what they are.  Internal states are taken as they are;
+    they are zero, or left out, where one of both models alone has any.
     """
 
     def __init__(
@@ -128,9 +128,9 @@ class CompiledMpc:
         self._at = at
         n, stages = self.fitted.n, content["intervals"] + 1
         nvz = model.chain.nvz
-        width = model.nq + nvz + n + 15
+        width = model.nq + nvz + model.n_tau + 15
         whole = self._block.view("options.reference", stages, width)
-        ends = np.cumsum([model.nq, nvz, n, 3, 9, 3])
+        ends = np.cumsum([model.nq, nvz, model.n_tau, 3, 9, 3])
         names = ("q", "v", "tau", "tip_position", "tip_rotation", "tip_velocity")
         self.reference = [
             {
@@ -142,6 +142,8 @@ class CompiledMpc:
         self.block = content["block"]
         self.library.shim_default(self._memory)
         self.set_parameters(parameters)
+        self.given: Callable[[float], Numbers] = lambda t: self.fitted.still[self.fitted.given]
+        """``t -> (n_given,)``: what the inputs that are given are over time, in their order in ``model.tau_names``."""
         self._due, self._last = 0.0, math.inf
         self._held, self._next = np.zeros(n), np.zeros(n)
 
@@ -166,7 +168,7 @@ class CompiledMpc:
         self._check(self.library.shim_prepare(self._memory))
 
     def feedback(self, q: Numbers, v: Numbers) -> np.ndarray:
-        """The torques (n_tau,) from a sample on, with the file's delay from the next one on.
+        """The torques (n_chosen,) from a sample on, with the file's delay from the next one on; no given inputs.
 
         ``q`` (nq,), ``v`` (nvz,): measured or estimated, internal states among them, as an estimator has them.
         Where :attr:`refused` is not zero after the call, the arm cannot have come to this state since the last one: the
@@ -206,15 +208,16 @@ class CompiledMpc:
 
     @property
     def torques(self) -> np.ndarray:
-        """The plan's torques (intervals, n_tau), N·m."""
+        """The plan's torques (intervals, n_chosen), N·m."""
         return self.inner["tau"][self.block].astype(float)
 
     def __call__(self, t: float, q: Numbers, v: Numbers) -> np.ndarray:
-        """The torques at time ``t`` of a run: at a sample new ones, else the last; an earlier time begins anew."""
+        """All inputs at time ``t`` of a run, torques new at a sample, else the last; an earlier time begins anew."""
         begun = t >= self._last
         if begun and t < self._due - 1e-9 * max(1.0, abs(t)):
-            return self._held
+            return self._whole(t)
         q, v = self._of_own_model(np.asarray(q), np.asarray(v))
+        self.foresee(self._due if begun else t)
         if begun:
             self.prepare()
         else:
@@ -228,11 +231,30 @@ class CompiledMpc:
         if not self.options["delay"][0]:
             self._held = self._next
         self._due += self.said.horizon.step
-        return self._held
+        return self._whole(t)
+
+    def foresee(self, t: float) -> None:
+        """Tell the plan of the sample at time ``t`` what :attr:`given` says, of each interval that in its middle."""
+        if not self.fitted.given:
+            return
+        step = self.said.horizon.step
+        middle, delay = t + step / 2, int(self.options["delay"][0])
+        self.options["given"][:] = self.given(middle)
+        for k, stage in enumerate(self.reference, delay):
+            stage["tau"][self.fitted.given] = self.given(middle + k * step)
+
+    def _whole(self, t: float) -> np.ndarray:
+        """All inputs: the torques that are held, and those that are given."""
+        if not self.fitted.given:
+            return self._held
+        out = np.zeros(self.model.n_tau)
+        out[self.fitted.chosen], out[self.fitted.given] = self._held, self.given(t)
+        return out
 
     def _of_own_model(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The state of the controller's model from that of the plant."""
-        n, own, P = len(q), self.model.chain.n_internal, self.projection
+        own, P = self.model.chain.n_internal, self.projection
+        n = len(q) - (self.model.nq - self.model.nv)
         z = v[n:] if own and len(v) > n else np.zeros(own)
         if len(z) != own:
             raise UsageError(

@@ -35,6 +35,9 @@ class Input:
     """The signal of links that holds their own entries, one of ``algorithms.signals.CALL``."""
     quantity: ClassVar[str] = "tau"
     """The key of `ranges.RANGES` with the sizes and signs that files may state."""
+    chosen: ClassVar[bool] = False
+    """Whether a controller chooses them; else they are given, as the command of a brake: predictive control knows them
+    ahead and chooses the others."""
     free_fall: Callable[[Sequence], Sequence] | None = None
     """``(entries) -> (x, y, z)``: what they add to the acceleration of free fall, m/s², inertial axes; linear."""
 

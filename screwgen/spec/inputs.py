@@ -25,6 +25,7 @@ class Torques(Input):
     words = "torques of axes"
     kinds = ("torque", "force", "acceleration")
     signal = "tau"
+    chosen = True
 
     def names(self, robot: Robot) -> list[str]:
         return [f"{link.name}.{name}[{j}]" for link, j, name, _ in efforts(robot)]

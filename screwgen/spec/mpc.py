@@ -147,6 +147,9 @@ class Goal(Part):
     """Where the arm shall rest: the constant reference as long as the caller gives no other."""
 
     joints: Annotated[tuple[float, ...], PlainValidator(each(number))] = Field(description="joint coordinates, rad")
+    given: Any_ = Field(
+        0.0, description="the inputs that are given and not chosen, as brakes and the lines of winches, in their order"
+    )
 
 
 class Solver(Part):

@@ -117,6 +117,7 @@ class Tensions(Input):
     words = "tendons"
     kinds = (TENSION[1:],)
     signal = "tension"
+    chosen = True
 
     def names(self, robot: Robot) -> list[str]:
         return [f"{name}{TENSION}" for name in tendon_names(robot)]

@@ -34,16 +34,25 @@ def fitted(model: RobotModel, file: str | os.PathLike[str]) -> Fitted:
     Raises RobotFileError or UsageError: the file, the key, the fault and the remedy in one line.
     """
     out = Fitted(model.chain, model.wrench_names, load_mpc(file), one_line(os.fsdecode(file)))
-    found = equilibrium(model, out.joints, hold="all")
+    found = equilibrium(model, out.goal, out.still if out.still.any() else None, hold="all")
     R, r = model.numpy().tip_pose(found.q)
     out.rest = Rest(np.array(found.q), np.array(found.tau), np.array(r), np.array(R))
-    slipping = slipping_robot(model)
-    A, B = _interval(slipping, out)
+    slipping, free = slipping_robot(model), free_changes(model)
+    A, own = _interval(slipping, out, free)
+    B = np.zeros((2 * model.nv, out.n))
+    B[free] = own
     out.scatter = np.append(scatter(slipping, out, B), ranges(model, out, B))
     if out.said.cost.terminal.riccati:
-        P = cost_to_go(slipping, out, A, B)
-        out.terminal = np.pad(P, (0, out.states - len(P)))
+        out.terminal = np.zeros((out.states, out.states))
+        out.terminal[np.ix_(free, free)] = cost_to_go(slipping, out, A, own, free)
     return out
+
+
+def free_changes(model: RobotModel) -> list[int]:
+    """The changes of coordinates, then those of their rates, that inputs which are chosen can change."""
+    given = {*model.chain.given.values()}
+    places = [k for k in range(model.nv) if k not in given]
+    return places + [model.nv + k for k in places]
 
 
 def slipping_robot(model: RobotModel) -> RobotModel:
@@ -64,16 +73,20 @@ def ranges(model: RobotModel, f: Fitted, B: np.ndarray) -> np.ndarray:
 
     A state with `zdot = gain w - decay z` does not leave the values that it has at steady rates, and crosses them where
     the rate changes its sign. The rates are those that the torques can give in the horizon, the slow ones among them,
-    at which dry friction is largest; gain and decay are those at z = 0. There is no limit where nothing decays.
+    at which dry friction is largest; gain and decay are those at z = 0. There is no limit where nothing decays, and
+    none to states of forces between frames, whose rates follow more than one coordinate.
     """
     fastest = f.said.horizon.intervals * np.abs(B) @ half_ranges(f)
     chain, own, out = model.chain, columns(model.chain, model.numpy().constants), np.zeros(model.chain.n_internal)
+    out[chain.z_offset[-1] :], ahead = FREE, chain.base_q
     for law, states in chain.internal.items():
         for k, (place, state) in enumerate(zip(chain.acted(law), states, strict=True)):
-            for w in np.outer([-1.0, 1.0], np.geomspace(1e-9, 1.0, 37) * fastest[f.nq + place.coordinate]).ravel():
-                given = {"x": [f.rest.q[place.coordinate]], "w": [w], "z": [0.0]}
+            for w in np.outer(
+                [-1.0, 1.0], np.geomspace(1e-9, 1.0, 37) * fastest[model.nv + chain.base_v + place.coordinate]
+            ).ravel():
+                given = {"x": [f.rest.q[place.coordinate + ahead]], "w": [w], "z": [0.0]}
                 given |= {name: [own[name][k]] for name in law.constants}
-                given |= {} if place.axis is None else {"axis": [f.rest.q[place.axis]]}
+                given |= {} if place.axis is None else {"axis": [f.rest.q[place.axis + ahead]]}
                 found = run(forces(law, (place.side,)), given, on_arrays)[0]
                 rate, decay = found["rate"][0], -found["rate_z"][0]
                 steady = abs(rate) / decay if decay > 0 else FREE * (rate != 0)
@@ -96,47 +109,57 @@ def controller(model: RobotModel, file: str | os.PathLike[str], **options: Any) 
         return CompiledMpc(model, fit, **options)
 
 
-def _interval(model: RobotModel, f: Fitted) -> tuple[np.ndarray, np.ndarray]:
-    """The derivatives of an interval at the goal with the state (2 nq, 2 nq) and with the torques (2 nq, n_tau)."""
+def _interval(model: RobotModel, f: Fitted, free: list[int]) -> tuple[np.ndarray, np.ndarray]:
+    """The derivatives of an interval at the goal with the ``free`` changes and with the inputs that are chosen.
+
+    States of forces between frames are held.
+    """
     from ..backends.casadi.intervals import interval_slopes
 
     step = model.casadi()[f"step_{f.said.horizon.method}"]
-    return interval_slopes(step, f.said.horizon, model.parameter_values, f.rest.q, f.rest.tau)
+    nq, nv = model.nq, model.nv
+    places = [model.chain.place_in_q(k) if k < nv else nq + k - nv for k in free]
+    x = np.append(f.rest.q, np.zeros(model.chain.nvz))
+    A, B = interval_slopes(step, f.said.horizon, model.parameter_values, x, nq, f.rest.tau, places)
+    return A, B[:, f.chosen]
 
 
 def scatter(model: RobotModel, f: Fitted, B: np.ndarray) -> np.ndarray:
-    """By how much an ordinary sample may miss the model's prediction whatever the torques are, (2 nq,); of internal
+    """By how much an ordinary sample may miss the model's prediction whatever the torques are, (2 nv,); of internal
     states :func:`ranges` says that.
 
     Joints by JOINT_SCATTER, their rates as differences of such positions have it. A mode by as much energy as half the
     range of the torques gives to the mode that they excite most, times the margin: some they do not excite at all.
+    What is given is believed.
     """
-    n, nq, h = f.n, f.nq, f.said.horizon.step
-    out = np.r_[np.full(nq, JOINT_SCATTER), np.full(nq, JOINT_SCATTER / h)]
+    n, nv, h = model.chain.eta_v, model.nv, f.said.horizon.step
+    out = np.r_[np.full(nv, JOINT_SCATTER), np.full(nv, JOINT_SCATTER / h)]
     reach = f.said.solver.margin * np.abs(B) @ half_ranges(f)
     K, M = np.diag(stiffness_matrix(model)), np.diag(model.numpy().mass_matrix(f.rest.q))
-    energies = np.r_[K * reach[:nq] ** 2, M * reach[nq:] ** 2]
-    most = energies[nq + n :].max(initial=0.0) or energies.max()
-    out[n:nq] = np.sqrt(most / K[n:])
-    out[nq + n :] = np.sqrt(most / M[n:])
+    energies = np.r_[K * reach[:nv] ** 2, M * reach[nv:] ** 2]
+    most = energies[nv + n :].max(initial=0.0) or energies.max()
+    out[n:nv] = np.sqrt(most / K[n:])
+    out[nv + n :] = np.sqrt(most / M[n:])
+    out[[k for place in model.chain.given.values() for k in (place, nv + place)]] = FREE
     return out
 
 
 def half_ranges(f: Fitted) -> np.ndarray:
-    """Half of what the torques may vary, (n_tau,)."""
+    """Half of what the inputs that are chosen may vary."""
     return (np.array(f.bounds["torque_upper"]) - np.array(f.bounds["torque_lower"])) / 2
 
 
-def cost_to_go(model: RobotModel, f: Fitted, A: np.ndarray, B: np.ndarray) -> np.ndarray:
-    """``P`` (2 nq, 2 nq): ``x'Px / 2`` behind a plan is what the regulator's motion from there on costs.
+def cost_to_go(model: RobotModel, f: Fitted, A: np.ndarray, B: np.ndarray, free: list[int]) -> np.ndarray:
+    """``P``: ``x'Px / 2`` behind a plan is what the regulator's motion from there on costs; x the ``free`` changes.
 
     Motion (``A``, ``B``: of an interval) and tip are linearised at rest at the goal; what the last stage costs itself
     is taken off.
     """
     said, weights, q = f.said, f.weights, f.rest.q
-    functions, h, n = model.casadi(), said.horizon.step, model.nq
-    Q = h * np.diag([*weights["joints"], *weights["modes"], *weights["joint_rates"], *weights["mode_rates"]])
-    J = np.array(functions["tip_jacobian"](q, model.parameter_values))
+    functions, h, n, none = model.casadi(), said.horizon.step, len(free) // 2, [0.0] * model.chain.base_v
+    own = [*none, *weights["joints"], *weights["modes"], *none, *weights["joint_rates"], *weights["mode_rates"]]
+    Q = h * np.diag(np.array(own)[free])
+    J = np.array(functions["tip_jacobian"](q, model.parameter_values))[:, free[:n]]
     for name, part, first in (
         ("tip_position", J[3:], 0),
         ("tip_orientation", J[:3], 0),

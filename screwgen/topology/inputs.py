@@ -29,6 +29,11 @@ class ChosenInputs:
         raise NotImplementedError
 
     @cached_property
+    def prescribed(self) -> list[int]:
+        """The joint coordinates whose motion is given."""
+        raise NotImplementedError
+
+    @cached_property
     def parameters(self) -> Parameters:
         """The robot's parameters."""
         raise NotImplementedError
@@ -49,6 +54,17 @@ class ChosenInputs:
     def other_inputs(self) -> dict[Input, slice]:
         """The same without torques of axes."""
         return {row: own for row, own in self.inputs.items() if row is not TORQUES}
+
+    @cached_property
+    def chosen_inputs(self) -> list[int]:
+        """The entries of ``tau`` that a controller chooses: no accelerations of axes, and of kinds that say so."""
+        found = (k for row, own in self.inputs.items() if row.chosen for k in range(own.start, own.stop))
+        return [k for k in found if k not in self.prescribed]
+
+    @property
+    def given_inputs(self) -> list[int]:
+        """The other entries, which are given to it."""
+        return [k for k in range(self.n_tau) if k not in self.chosen_inputs]
 
     @property
     def falls(self) -> bool:

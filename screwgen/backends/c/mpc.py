@@ -15,8 +15,10 @@ from ...arguments import Numbers
 from ...errors import UsageError
 from ...spec.mpc import VARIABLES, Between, Mpc
 from ...spec.parameters import coordinate_names
+from ...spec.tendons import TENSIONS
 from ...topology.chain import Chain
-from ..templates import folder
+from ..templates import FEATURES, folder
+from . import mpc_inputs
 from .code import entries, literal
 from .columns import rendered
 from .derivatives import say_time
@@ -64,39 +66,40 @@ class Fitted:
 
     rest: Rest
     scatter: np.ndarray
-    """(nq + nvz,): by how much an ordinary sample may miss the model's prediction."""
+    """(nv + nvz,): by how much an ordinary sample may miss the model's prediction."""
     terminal: np.ndarray
-    """The regulator's cost-to-go (nq + nvz, nq + nvz) behind the last state; only where the file asks for it."""
+    """The regulator's cost-to-go (nv + nvz, nv + nvz) behind the last state; only where the file asks for it."""
 
     def __init__(self, chain: Chain, wrench_names: Sequence[str], said: Mpc, file: str):
         self.chain, self.wrench_names, self.said, self.file = chain, wrench_names, said, file
         for asked, what in (
             (bool(chain.robot.rigid_loops), "loops"),
             (bool(chain.robot.couplings), "couplings"),
-            (chain.floating, f"a {chain.robot.base} base"),
-            (bool(chain.curved), "a ball joint"),
+            (chain.floating and not chain.moving, f"a {chain.robot.base} base"),
+            (any(not part.joint.in_space for part in chain.curved), "a ball joint"),
             (bool(chain.n_added), "elastic drives"),
             (bool(chain.travels), "transmissions"),
-            *((True, row.words) for row in chain.other_inputs),
             (chain.holds_by_motion, "drives whose steps hold what their motion allows"),
-            (bool(chain.n_force_states), "forces between frames with internal states"),
+            (bool(chain.n_held_states), "drives that remember what they are told"),
         ):
             if asked:
                 raise UsageError(
                     f"robot '{chain.robot.name}' has {what}; predictive control in C is not made for them; "
                     "use model.acados()"
                 )
-        if not chain.n_tau:
-            raise UsageError(f"robot '{chain.robot.name}' has no joints; predictive control needs torques")
-        self.n, self.modes, self.nq = chain.n_tau, chain.n_modes, chain.nq
-        self.states = chain.nq + chain.nvz
+        self.chosen, self.given = chain.chosen_inputs, chain.given_inputs
+        if not self.chosen:
+            raise UsageError(f"robot '{chain.robot.name}' has no efforts; predictive control needs torques to choose")
+        self.n, self.joints, self.modes = len(self.chosen), chain.n_joints, chain.n_modes
+        self.states = chain.n_changes
         if (count := self.n * len(said.horizon.lengths)) > VARIABLES:
             raise self.refuse(
                 "horizon.blocks",
                 f"leave {count} torques to choose; at most {VARIABLES} are solved in real time; state longer blocks",
             )
         self.gauges = gauges(chain) if said.bounds.strains else []
-        self.joints = self.entries("goal.joints", said.goal.joints, self.n)
+        self.goal = self.entries("goal.joints", said.goal.joints, self.joints)
+        self.still = self._still()
         self.bounds, _ = self._bounds(), (self.wrenches, self.weights)
 
     def refuse(self, key: str, what: str) -> UsageError:
@@ -109,11 +112,21 @@ class Fitted:
             raise self.refuse(key, f"has length {len(values)}; it must be a number or an array of {size}")
         return values
 
-    def both(self, key: str, value: Any) -> tuple[list[float], list[float]]:
+    def _still(self) -> np.ndarray:
+        """All inputs (n_tau,) at the goal as the file gives them, those that are chosen zero."""
+        out, names = np.zeros(self.chain.n_tau), coordinate_names(self.chain.robot).tau
+        out[self.given] = self.entries("goal.given", self.said.goal.given, len(self.given))
+        for k in self.chain.given:
+            if out[k]:
+                at = f"goal.given[{self.given.index(k)}]"
+                raise self.refuse(at, f"is {out[k]:g}, of {names[k]}; it must be 0, as what rests does not accelerate")
+        return out
+
+    def both(self, key: str, value: Any, size: int) -> tuple[list[float], list[float]]:
         if isinstance(value, Between):
-            lower, upper = (self.entries(f"{key}.{k}", getattr(value, k), self.n) for k in ("lower", "upper"))
+            lower, upper = (self.entries(f"{key}.{k}", getattr(value, k), size) for k in ("lower", "upper"))
         else:
-            upper = self.entries(key, value, self.n)
+            upper = self.entries(key, value, size)
             lower = [-x for x in upper]
         for i, (a, b) in enumerate(zip(lower, upper, strict=True)):
             if not a < b:
@@ -122,13 +135,15 @@ class Fitted:
 
     @cached_property
     def weights(self) -> dict[str, list[float]]:
-        cost, sizes = self.said.cost, dict.fromkeys(("joints", "joint_rates", "torques", "torque_rates"), self.n)
+        cost, sizes = self.said.cost, dict.fromkeys(("joints", "joint_rates"), self.joints)
+        sizes |= dict.fromkeys(("torques", "torque_rates"), self.n)
         sizes |= {"modes": self.modes, "mode_rates": self.modes} | dict.fromkeys(TIP, 3)
         given = {name: getattr(cost, name) for name in sizes}
         out = {name: self.entries(f"cost.{name}", w, sizes[name]) for name, w in given.items() if w is not None}
         for i, (a, b) in enumerate(zip(out["torques"], out["torque_rates"], strict=True)):
             if not a + b > 0:
-                raise self.refuse("cost.torques", f"and torque_rates are 0 for joint {i}; one of them must be > 0")
+                what = f"joint {i}" if not self.given else coordinate_names(self.chain.robot).tau[self.chosen[i]]
+                raise self.refuse("cost.torques", f"and torque_rates are 0 for {what}; one of them must be > 0")
         return out
 
     def _bounds(self) -> dict[str, Sequence[float]]:
@@ -139,9 +154,9 @@ class Fitted:
         if bounds.torque_rates is not None:
             out["torque_rate"] = self.entries("bounds.torque_rates", bounds.torque_rates, n)
         if bounds.joints is not None:
-            out["joint_lower"], out["joint_upper"] = self.both("bounds.joints", bounds.joints)
+            out["joint_lower"], out["joint_upper"] = self.both("bounds.joints", bounds.joints, self.joints)
         if bounds.joint_rates is not None:
-            out["joint_rate"] = self.entries("bounds.joint_rates", bounds.joint_rates, n)
+            out["joint_rate"] = self.entries("bounds.joint_rates", bounds.joint_rates, self.joints)
         if bounds.strains is not None:
             if not count:
                 raise self.refuse("bounds.strains", "bounds the bending of links, and no link bends; leave it out")
@@ -152,12 +167,14 @@ class Fitted:
     def _torques(self) -> tuple[list[float], list[float]]:
         """The bounds of the torques: those of the file, the limits of efforts where these are tighter."""
         stated, key = self.said.bounds.torques, "bounds.torques"
-        most = self.chain.efforts
+        most = np.append(self.chain.efforts, np.full(self.chain.n_tau - self.joints, inf))[self.chosen]
         if stated is None and not np.isfinite(most).all():
-            free = coordinate_names(self.chain.robot).tau[int(np.flatnonzero(~np.isfinite(most))[0])]
+            free = coordinate_names(self.chain.robot).tau[self.chosen[int(np.flatnonzero(~np.isfinite(most))[0])]]
             raise self.refuse(key, f"is missing; state it, or limits of effort of all axes: {free} has none")
-        lower, upper = ([-inf] * self.n, [inf] * self.n) if stated is None else self.both(key, stated)
-        lower, upper = np.maximum(lower, -most).tolist(), np.minimum(upper, most).tolist()
+        lower, upper = ([-inf] * self.n, [inf] * self.n) if stated is None else self.both(key, stated, self.n)
+        pulling = range(self.chain.n_tau)[self.chain.inputs.get(TENSIONS, slice(0))]
+        least = np.where(np.isin(self.chosen, pulling), 0.0, -most)
+        lower, upper = np.maximum(lower, least).tolist(), np.minimum(upper, most).tolist()
         for i in np.flatnonzero(~np.less(lower, upper)):
             raise self.refuse(f"{key}[{i}]", f"leaves nothing within the limit of the effort, {most[i]:g}")
         return lower, upper
@@ -171,7 +188,7 @@ class Fitted:
                 known = ", ".join(self.wrench_names[:6])
                 raise self.refuse(f"bounds.wrenches[{i}].component", f"is no joint wrench; the first are {known}")
             at = self.wrench_names.index(wrench.component)
-            out.append({"link": self.chain.firsts[at // 6], "component": at % 6, "name": wrench.component})
+            out.append({"link": at // 6, "component": at % 6, "name": wrench.component})
         return out
 
 
@@ -201,20 +218,22 @@ class MpcProject(CProject):
 
     @cached_property
     def context(self) -> dict:
-        return super().context | {"n_joints": self.chain.n_joints, "mpc": content(self.fitted, bool(self.baked))}
+        mine, chain = super().context, self.chain
+        own = {"n_joints": chain.n_joints, "mpc": content(self.fitted, bool(self.baked)) | mpc_inputs.content(chain)}
+        return mine | own | {FEATURES: mine[FEATURES] + mpc_inputs.features(chain)}
 
 
 def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
     """The templates' context."""
     said, n, chain = fitted.said, fitted.n, fitted.chain
     horizon, bounds = said.horizon, said.bounds
-    lengths = horizon.lengths
+    lengths, first = horizon.lengths, chain.base_v
     found = fitted.gauges
     bounded = {name: getattr(bounds, name) is not None for name in ("joints", "joint_rates", "strains", "torque_rates")}
     plain = [
-        *(range(n) if bounded["joints"] else ()),
-        *(range(fitted.nq, fitted.nq + n) if bounded["joint_rates"] else ()),
-        *range(2 * fitted.nq, fitted.states),
+        *(range(first, first + chain.n_joints) if bounded["joints"] else ()),
+        *(range(chain.nv + first, chain.nv + first + chain.n_joints) if bounded["joint_rates"] else ()),
+        *range(2 * chain.nv, 2 * chain.nv + chain.z_offset[-1]),
     ]
     nz, stages = n * len(lengths), len(plain) + len(found)
     soft = (stages + len(fitted.wrenches)) * horizon.intervals

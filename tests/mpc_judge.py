@@ -236,6 +236,8 @@ def off_the_dense_program(c, model: Model, q: np.ndarray, sizes: np.ndarray) -> 
     x0 = some(X[0])
     c.feedback(*np.split(x0, [model.nq]))
     c.options["margin"][:] = margin
+    if c.options["delay"]:
+        x0 = np.array(judge.interval(x0, acting, c.options.get("given", [])))[:, 0]
     H, g, D, jumps, rows, values = judge.dense(X, U, acting, np.array(judge.change(ca.DM(X[0]), ca.DM(x0)))[:, 0])
     soft, wrench = judge.soft_bounds(), c.options["wrench"]
     low, high = (

@@ -243,14 +243,17 @@ def off_the_dense_program(c, model: Model, q: np.ndarray, sizes: np.ndarray) -> 
     low, high = (
         np.r_[np.tile(x, len(X) - 1), np.tile(y, len(X) - 1)] for x, y in zip(soft, (-wrench, wrench), strict=True)
     )
-    half, rate = (high - low) / 2, c.said.horizon.step * np.tile(c.options["torque_rate"], blocks)
+    there = high < 1e9
+    half, rate = np.where(there, (high - low) / 2, 1.0), c.said.horizon.step * np.tile(c.options["torque_rate"], blocks)
     lower, upper = (np.tile(c.options[f"torque_{x}"], blocks) - U.ravel() for x in ("lower", "upper"))
     found, triangle = c.inner, np.tril(c.inner["H"])
+    stated = np.r_[np.full(len(lower) + len(jumps), True), there]
+    low, high, values, half = (x[there] for x in (low, high, values, half))
     pairs = (
         (triangle + np.tril(triangle, -1).T, unit[:, None] * H * unit),
         (found["g"], unit * g),
-        (found["row"], np.vstack([D, rows * unit / half[:, None]])),
-        (found["lower"], np.r_[lower / unit, (-rate - jumps) / unit, (low - values) / half]),
-        (found["upper"], np.r_[upper / unit, (rate - jumps) / unit, (high - values) / half]),
+        (found["row"][stated[len(lower) :]], np.vstack([D, rows[there] * unit / half[:, None]])),
+        (found["lower"][stated], np.r_[lower / unit, (-rate - jumps) / unit, (low - values) / half]),
+        (found["upper"][stated], np.r_[upper / unit, (rate - jumps) / unit, (high - values) / half]),
     )
     return max(np.abs(a - b).max() / np.abs(b).max() for a, b in pairs)

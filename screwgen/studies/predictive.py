@@ -91,6 +91,7 @@ def ranges(model: RobotModel, f: Fitted, B: np.ndarray) -> np.ndarray:
                 rate, decay = found["rate"][0], -found["rate_z"][0]
                 steady = abs(rate) / decay if decay > 0 else FREE * (rate != 0)
                 out[state - chain.nv] = max(out[state - chain.nv], min(2 * steady, FREE))
+    out[out == 0.0] = FREE  # of coordinates that no torque moves
     return out
 
 

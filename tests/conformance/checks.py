@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
-from conformance import commands, filtered, folders, measured, numbers, planned, slopes, uses
+from conformance import commands, filtered, folders, measured, numbers, planned, predicted, slopes, uses
 from conformance.cases import Case
 from conformance.refusals import refusals_of
 from screwgen import ScrewgenError
@@ -62,6 +62,9 @@ CHECKS: dict[str, Check] = {
         planned.plan,
         "a planned motion is played as planned, by a law so weak that torques ahead must be right; poles under it are "
         "those of exact slopes",
+    ),
+    "predictive control": Check(
+        predicted.program, "the program of the controller in C is the dense one of CasADi's functions, inputs given too"
     ),
     "modes": Check(uses.modes, "frequencies and shapes with the joints locked and free"),
     "document": Check(uses.document, "a program that reads its steps alone computes accelerations and wrenches"),

@@ -23,7 +23,19 @@ class Refusal(NamedTuple):
 
 
 LOOPED = ("ball loop", "hinge loop", "slide loop", "welded loop", "coupling")
+TWISTED = ("elastic cylinder", "elastic four-bar")
 NOT_PLANNED = ("floating", "afloat", "moving", "ball", "bristles", *LOOPED, "winch")
+NOT_PREDICTED = (
+    "floating",
+    "afloat",
+    "ball",
+    "elastic gear",
+    "loaded friction",
+    "cylinder",
+    "four-bar",
+    *TWISTED,
+    *LOOPED,
+)
 REFUSALS: tuple[Refusal, ...] = (
     Refusal("C, fused", (), "would be one function of", "compilers take long over one function so large", large=True),
     *(
@@ -65,6 +77,15 @@ REFUSALS: tuple[Refusal, ...] = (
             large=True,
         )
         for check in ("equilibrium", "modes")
+    ),
+    *(
+        Refusal(
+            "predictive control",
+            (x,),
+            "predictive control in C is not made for them",
+            "its plan has no rows of loops, balls or gears that twist",
+        )
+        for x in NOT_PREDICTED
     ),
     *(Refusal("plan", (x,), "for which there is no plan", "plans are of arms with a drive each") for x in NOT_PLANNED),
 )

@@ -23,7 +23,7 @@ SHORT = [ROWS.index(row) for row in few()]
 DRAWN = random_rows(48)
 LONG = (
     *("JAX, gradients", "mock-up unit", "C folder", "commands", "derivatives by parameters", "estimator of parameters"),
-    *("C, float", "lanes, float", "plan", "JAX"),
+    *("C, float", "lanes, float", "plan", "predictive control", "JAX"),
 )
 """Checks that try each feature, but not each pair: they take long, compile a text again in another precision, or, as
 JAX, translate operation by operation the programs that CasADi's check tries with all pairs."""

@@ -7,7 +7,6 @@ from .axis_element import AxisElement as AxisElement
 from .axis_element import ElementLaw as ElementLaw
 from .axis_element import key as key
 from .cylinder import CYLINDER as CYLINDER
-from .effort import EffortLimit as EffortLimit
 from .four_bar import FourBarLinkage as FourBarLinkage
 from .friction import BEND as BEND
 from .friction import FALLING as FALLING

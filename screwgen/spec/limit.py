@@ -1,4 +1,4 @@
-"""The limits of a joint axis: a range, or stops that push the axis back into it; the limit of its effort."""
+"""The limits of a joint axis: a range, or stops that push the axis back into it; what every step holds of its input."""
 
 from collections.abc import Sequence
 from math import inf
@@ -6,11 +6,13 @@ from typing import Annotated, Self
 
 from pydantic import model_validator
 
+from ..elements import HeldLaw
+from ..elements.effort import EffortLimit
 from .part import Part
-from .stated import Stated
+from .stated import Stated, stated_numbers
 from .values import refuse, shown
 
-EFFORT = Stated("effort", "largest effort of the drive, of either sign", ", where it acts; every step keeps it")
+KEPT = ", where it acts; every step keeps it"
 STOPS = Stated("stop stiffness", "stiffness of the stops at the limits", "; without it there is a range alone")
 
 
@@ -29,7 +31,12 @@ class Limit(Part):
     upper: Annotated[float, Stated("limit", "largest coordinate of the joint")] | None = None
     stiffness: Annotated[float, STOPS] | None = None
     damping: Annotated[float, Stated("damping", "damping of the stops at the limits")] | None = None
-    effort: Annotated[float, EFFORT] | None = None
+    effort: Annotated[float, Stated.of_class(EffortLimit, "effort", KEPT)] | None = None
+
+    @property
+    def laws(self) -> tuple[type[HeldLaw], ...]:
+        """Those of `HELD_LAWS` that it states."""
+        return tuple(law for law in HELD_LAWS if getattr(self, next(iter(law.table()))) is not None)
 
     @property
     def bounds(self) -> tuple[float, float]:
@@ -45,7 +52,19 @@ class Limit(Part):
             raise refuse("is stated without stiffness; state both, or none for a range without stops", at=("damping",))
         if self.stiffness is not None and self.lower is None and self.upper is None:
             raise refuse("is stated without a limit to act at; state lower, upper, or both", at=("stiffness",))
+        for law in HELD_LAWS:
+            absent = [name for name in law.table() if getattr(self, name) is None]
+            if beside := absent and [name for name in law.table() if name not in absent]:
+                raise refuse(f"is stated without {absent[0]}; state both, or none", at=(beside[0],))
         return self
+
+
+OF_LAWS: dict[str, Stated] = {name: one for name, one in stated_numbers(Limit) if one.of}
+"""The keys of laws of what every step holds."""
+HELD_LAWS: tuple[type[HeldLaw], ...] = tuple(
+    dict.fromkeys(one.of for one in OF_LAWS.values() if one.of and issubclass(one.of, HeldLaw))
+)
+"""These laws, in the order in which they act."""
 
 
 def check(limits: Sequence[Limit], axes: int) -> None:

@@ -152,7 +152,7 @@ class Fitted:
     def _torques(self) -> tuple[list[float], list[float]]:
         """The bounds of the torques: those of the file, the limits of efforts where these are tighter."""
         stated, key = self.said.bounds.torques, "bounds.torques"
-        most = self.chain.efforts
+        most = self.chain.most("effort")
         if stated is None and not np.isfinite(most).all():
             free = coordinate_names(self.chain.robot).tau[int(np.flatnonzero(~np.isfinite(most))[0])]
             raise self.refuse(key, f"is missing; state it, or limits of effort of all axes: {free} has none")

@@ -8,7 +8,6 @@ from ...elements import (
     STOP,
     TRAVELS,
     BristleFriction,
-    EffortLimit,
     ElementLaw,
     Size,
     brake,
@@ -93,7 +92,7 @@ def remarks(key: LinkClass) -> dict[str, object]:
         "friction": any((drive.coulomb and not drive.memory) or drive.viscous or drive.bend for drive in key.drives),
         BristleFriction.words: any(drive.memory for drive in key.drives),
         "stops": key.stops,
-        EffortLimit.WORDS: key.limited_efforts,
+        **{law.WORDS: True for law, _ in key.limits},
         "brakes": key.brakes,
         **{kind.WORDS: True for kind, _ in key.elements},
     }

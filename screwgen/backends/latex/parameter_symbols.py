@@ -6,7 +6,8 @@ from collections import Counter
 from functools import cache
 
 from ...algorithms.scope import derived
-from ...elements import KINDS, TRAVELS, EffortLimit, brake, friction, gear, lugre, stop
+from ...elements import KINDS, TRAVELS, brake, friction, gear, lugre, stop
+from ...spec.limit import OF_LAWS
 from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
 from ...topology.chain import Chain
@@ -64,7 +65,7 @@ def _of_axis(chain: Chain, p: Parameter) -> str:
     """That of what acts on an axis."""
     *_, table, name = ("", *p.field.split("."))
     if p.field.startswith("joint.limits."):
-        return (stop.LETTERS | {"effort": EffortLimit.table()["most"].symbol}).get(name, "")
+        return OF_LAWS[name].symbol if name in OF_LAWS else stop.LETTERS.get(name, "")
     if p.field.startswith("joint.brake."):
         return brake.LETTERS[name]
     if p.field.startswith("joint.elements."):

@@ -11,7 +11,6 @@ import numpy as np
 
 from ..backends.numpy.numeric import Numeric
 from ..backends.numpy.rest_shape import link_at_rest
-from ..elements.effort import EffortLimit
 from ..errors import UsageError
 from ..joints.screw import Screw
 from ..reduction.invariants import hat
@@ -118,7 +117,7 @@ class _Writer:
         if joint.prescribed:
             self.notes.append(f"{link.name}.joint.actuation: is left out; in a URDF efforts move the axes")
         left = ["the stiffness of their stops"] * any(x.stiffness is not None for x in joint.limits or ())
-        left += dict.fromkeys(law.WORDS for x in joint.limits or () for law in x.laws if law is not EffortLimit)
+        left += dict.fromkeys(law.WORDS for x in joint.limits or () for law in x.laws if law.KIND != "effort")
         self.notes += [f"{link.name}.joint.limits: are written without {what}" for what in left]
         for k, drive in enumerate(joint.driven):
             known = (None, STICKING[joint.screws[k].slides])

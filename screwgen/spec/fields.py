@@ -100,7 +100,7 @@ def of_axis(field: str, joint: Joint, axis: int) -> tuple[str, str] | None:
     """
     drive, rotor = joint.driven[axis], field.endswith(".rotor_inertia")
     if limit := OF_LAWS.get(field.removeprefix("joint.limits.")):
-        return limit.range.units[-(drive.effort(joint.screws[axis])[1] == "N")], limit.meaning
+        return limit.sliding if drive.effort(joint.screws[axis])[1] == "N" else limit.unit, limit.meaning
     units: Mapping[str, tuple[str, str]] = {} if joint.screws[axis].turn else SLIDING
     rubs = ".friction." in field
     if drive.travel:

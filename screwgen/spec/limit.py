@@ -6,13 +6,16 @@ from typing import Annotated, Self
 
 from pydantic import model_validator
 
-from ..elements import HeldLaw
+from ..elements import HeldLaw, Key
 from ..elements.effort import EffortLimit
 from .part import Part
-from .stated import Stated, stated_numbers
+from .stated import Stated
 from .values import refuse, shown
 
-KEPT = ", where it acts; every step keeps it"
+HELD_LAWS: tuple[type[HeldLaw], ...] = (EffortLimit,)
+"""The laws of what every step holds that limits state, in the order in which they act."""
+OF_LAWS: dict[str, Key] = {name: key for law in HELD_LAWS for name, key in law.table().items()}
+"""Their keys."""
 STOPS = Stated("stop stiffness", "stiffness of the stops at the limits", "; without it there is a range alone")
 
 
@@ -31,7 +34,7 @@ class Limit(Part):
     upper: Annotated[float, Stated("limit", "largest coordinate of the joint")] | None = None
     stiffness: Annotated[float, STOPS] | None = None
     damping: Annotated[float, Stated("damping", "damping of the stops at the limits")] | None = None
-    effort: Annotated[float, Stated.of_class(EffortLimit, "effort", KEPT)] | None = None
+    effort: Annotated[float, Stated.of(OF_LAWS["effort"], ", where it acts; every step keeps it")] | None = None
 
     @property
     def laws(self) -> tuple[type[HeldLaw], ...]:
@@ -52,19 +55,7 @@ class Limit(Part):
             raise refuse("is stated without stiffness; state both, or none for a range without stops", at=("damping",))
         if self.stiffness is not None and self.lower is None and self.upper is None:
             raise refuse("is stated without a limit to act at; state lower, upper, or both", at=("stiffness",))
-        for law in HELD_LAWS:
-            absent = [name for name in law.table() if getattr(self, name) is None]
-            if beside := absent and [name for name in law.table() if name not in absent]:
-                raise refuse(f"is stated without {absent[0]}; state both, or none", at=(beside[0],))
         return self
-
-
-OF_LAWS: dict[str, Stated] = {name: one for name, one in stated_numbers(Limit) if one.of}
-"""The keys of laws of what every step holds."""
-HELD_LAWS: tuple[type[HeldLaw], ...] = tuple(
-    dict.fromkeys(one.of for one in OF_LAWS.values() if one.of and issubclass(one.of, HeldLaw))
-)
-"""These laws, in the order in which they act."""
 
 
 def check(limits: Sequence[Limit], axes: int) -> None:

@@ -8,7 +8,6 @@ number outside is a slip of the unit or of the exponent.
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from ..elements import Key
 from .values import SIGNS, Path, array, fraction, non_negative, number, numbers, positive, refuse, shown
 
 
@@ -88,7 +87,6 @@ RANGES = {
     "coulomb": Range(non_negative, 1e-12, 1e12, "N·m or N"),
     "friction by load": Range(non_negative, 1e-12, 1e6, "1"),
     "static friction": Range(positive, 1e-12, 1e12, "N·m or N"),
-    "bristle stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "limit": Range(number, 0.0, 1e6, "rad or m"),
     "stop stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "brake inertia": Range(positive, 1e-12, 1e12, "kg·m² or kg"),
@@ -116,20 +114,20 @@ RANGES = {
 """Quantity -> range; a link's own mass, `rhoA` times its length, is within that of bodies for any arm there is."""
 
 
-def range_of(key: Key) -> Range:
-    """The range of a number that a class of :mod:`screwgen.elements` states."""
-    unit = key.unit if key.unit == key.sliding else f"{key.unit} or {key.sliding}"
-    return Range(SIGNS[key.sign], key.least, key.most, unit)
+def range_of(key: Any) -> Range:
+    """The range of a number that a class states: of a :class:`screwgen.elements.Key`, or of one of a force."""
+    units = dict.fromkeys((key.unit, getattr(key, "sliding", key.unit)))
+    return Range(SIGNS[key.sign], key.least, key.most, " or ".join(units))
 
 
-def within(quantity: str) -> Callable[..., float]:
-    """The check that a value is a number in the range of `quantity`."""
-    return RANGES[quantity].check
+def within(quantity: str | Range) -> Callable[..., float]:
+    """The check that a value is a number in the range of `quantity`, or in one of its own."""
+    return (RANGES[quantity] if isinstance(quantity, str) else quantity).check
 
 
 def several(quantity: str | Range, size: int | None = None) -> Callable[[Any], tuple[float, ...]]:
     """The check that a value is an array of such numbers, of `size` or any number of them."""
-    check = (RANGES[quantity] if isinstance(quantity, str) else quantity).check
+    check = within(quantity)
 
     def check_all(value: Any) -> tuple[float, ...]:
         entries = array(value, "an array of numbers") if size is None else numbers(value, size)

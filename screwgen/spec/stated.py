@@ -10,8 +10,8 @@ from typing import Any, get_args
 from pydantic import BaseModel, GetCoreSchemaHandler, PlainValidator
 from pydantic_core import CoreSchema
 
-from ..elements import AxisElement
-from .ranges import RANGES, Range, range_of, several
+from ..elements import Key
+from .ranges import RANGES, Range, range_of, several, within
 from .values import positive
 
 
@@ -19,11 +19,10 @@ from .values import positive
 class Stated:
     """What a key of a robot file holds, as the annotation of its field: `EIz: Annotated[float, Stated("EIz", …)]`.
 
-    `quantity`: a range with its units, or its name in :data:`.ranges.RANGES`; `meaning`: what generated code and tables
-    say; `more`: what the table of keys adds to it; `sliding`: its meaning on an axis that slides, where it has another;
-    `components`: the names of the entries of an array of that size; `several`: whether it is an array of any size;
-    `check`: in place of the range alone; `of`: the class of :mod:`screwgen.elements` that states it, and its `symbol`
-    in formulas.
+    `quantity`: its range with units, or the name of that in :data:`.ranges.RANGES`; `meaning`: what generated code and
+    tables say; `more`: what the table of keys adds to it; `sliding`: its meaning on an axis that slides, where it has
+    another; `components`: the names of the entries of an array of that size; `several`: whether it is an array of any
+    size; `check`: in place of the range alone.
     """
 
     quantity: str | Range
@@ -33,14 +32,11 @@ class Stated:
     components: tuple[str, ...] = ()
     several: bool = False
     check: Callable[[Any], Any] | None = None
-    of: type[AxisElement] | None = None
-    symbol: str = ""
 
     @classmethod
-    def of_class(cls, kind: type[AxisElement], name: str, more: str = "") -> Stated:
-        """A key of a class."""
-        key = kind.table()[name]
-        return cls(range_of(key), key.meaning, more, of=kind, symbol=key.symbol)
+    def of(cls, key: Key, more: str = "") -> Stated:
+        """That of a class of :mod:`screwgen.elements`."""
+        return cls(range_of(key), key.meaning, more)
 
     @property
     def range(self) -> Range:
@@ -72,7 +68,7 @@ class Stated:
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """The check of the field."""
         size = len(self.components) or None
-        check = several(self.range, size) if self.several or size else self.range.check
+        check = several(self.quantity, size) if self.several or size else within(self.quantity)
         return PlainValidator(self.check or check).__get_pydantic_core_schema__(source, handler)
 
 

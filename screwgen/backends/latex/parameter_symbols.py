@@ -6,7 +6,8 @@ from collections import Counter
 from functools import cache
 
 from ...algorithms.scope import derived
-from ...elements import KINDS, TRAVELS, brake, friction, gear, lugre, stop
+from ...elements import KINDS, TRAVELS, brake, friction, gear, stop
+from ...spec.drive import BRISTLES
 from ...spec.limit import OF_LAWS
 from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
@@ -76,7 +77,7 @@ def _of_axis(chain: Chain, p: Parameter) -> str:
         below = p.field.partition(".transmission.")[2]
         return next((kind.KEYS[name].symbol for kind in TRAVELS if below == f"{kind.TABLE}{name}"), "")
     if below := p.field.partition(".friction.")[2]:
-        return (friction.LETTERS | lugre.LETTERS).get(below, "")
+        return BRISTLES[table].KEYS[name].symbol if table in BRISTLES else friction.LETTERS.get(below, "")
     return gear.LETTERS.get(name, "") if p.field.startswith("joint.drives.") else ""
 
 

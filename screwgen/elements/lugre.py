@@ -15,6 +15,9 @@ from typing import Any, ClassVar
 from .friction import PLAIN, SIZE_SYMBOL, Size, unstated, written_size
 from .law import Bristle, Key, Value
 
+Z = (r"z", "mean deflection of the bristles of friction, an internal state, of slides in m", "rad", True)
+"""The symbol of the state in documents."""
+
 
 @dataclass(frozen=True)
 class BristleFriction:
@@ -32,7 +35,7 @@ class BristleFriction:
     }
     """The keys of its table of ``friction``; what is left out is zero."""
     SYMBOLS: ClassVar[tuple[tuple[str, str, str, bool], ...]] = (
-        (r"z", "mean deflection of the bristles of friction, an internal state, of slides in m", "rad", True),
+        Z,
         (r"\sigma_0, \sigma_1", "stiffness and damping of these bristles", "N*m/rad, N*m*s/rad", False),
         SIZE_SYMBOL,
     )

@@ -7,6 +7,7 @@ from typing import Annotated, Self
 from pydantic import Field, model_validator
 
 from ..elements import Added, BristleFriction, Travel
+from ..elements.dahl import DahlFriction
 from ..elements.gear import added_by
 from ..joints.screw import Screw
 from .limit import Limit
@@ -41,6 +42,17 @@ class FrictionMemory(Part):
     damping: Annotated[float, Stated.of(BristleFriction.KEYS["damping"])] | None = None
 
 
+class FrictionDahl(Part):
+    """What dry friction remembers as metal bends, with the share `u = 1 - F/coulomb` that is left (Dahl's model).
+
+    Where the motion goes on friction grows by `stiffness u (1 - ductility + ductility u)` per rad. Dahl's exponent is 1
+    without ductility, and 2 with all of it.
+    """
+
+    stiffness: Annotated[float, Stated.of(DahlFriction.KEYS["stiffness"])]
+    ductility: Annotated[float, Stated.of(DahlFriction.KEYS["ductility"], ", from 0 to 1")] | None = None
+
+
 class Stribeck(Part):
     """How dry friction falls with the rate w, `coulomb + (static - coulomb) exp(-(w / velocity)²)`."""
 
@@ -55,9 +67,14 @@ class FrictionBend(Part):
     velocity: Annotated[float, Stated("velocity", "rate over which the bend of friction sets in")]
 
 
-FRICTION_TABLES: dict[str, type[Part]] = {"memory": FrictionMemory, "stribeck": Stribeck, "bend": FrictionBend}
+FRICTION_TABLES: dict[str, type[Part]] = {
+    "memory": FrictionMemory,
+    "dahl": FrictionDahl,
+    "stribeck": Stribeck,
+    "bend": FrictionBend,
+}
 """The tables with numbers of friction."""
-BRISTLES: dict[str, type[BristleFriction]] = {"memory": BristleFriction}
+BRISTLES: dict[str, type[BristleFriction]] = {"memory": BristleFriction, "dahl": DahlFriction}
 """The laws of those of bristles."""
 
 
@@ -66,7 +83,7 @@ class Friction(Part):
 
     With `stribeck` dry friction falls with the rate, and with `bend` a term of the same form is added. With `load` it
     grows with the torque by which the stretch of an elastic gear loads the rotor, `load stiffness/ratio |θ/ratio - q|`.
-    With `memory` dry friction has a state of its own, sticks truly, and needs no `velocity` to smooth its sign.
+    With `memory` or `dahl` dry friction has a state of its own, sticks truly, and has no `velocity` to smooth its sign.
 
     It acts on what the torque acts on: on the rotor (N·m, N·m·s/rad, rad/s) of an elastic drive, on the cylinder of a
     transmission (N, N·s/m, m/s) or the crank of a linkage, else on the joint (of a slide N, N·s/m, m/s).
@@ -81,6 +98,7 @@ class Friction(Part):
     memory: FrictionMemory | None = Field(
         None, description="of dry friction with bristles, as { stiffness = …, damping = … }"
     )
+    dahl: FrictionDahl | None = Field(None, description="of dry friction that holds, as { stiffness = … }")
     stribeck: Stribeck | None = Field(None, description="of dry friction that falls, as { static = …, velocity = … }")
     bend: FrictionBend | None = Field(None, description="of strain-wave gears, as { friction = …, velocity = … }")
 
@@ -107,6 +125,8 @@ class Friction(Part):
 
     def _checked_bristles(self) -> None:
         """Refuse what does not stand beside bristles."""
+        if also := [table for table in BRISTLES if getattr(self, table) and table != self.bristles]:
+            raise refuse(f"is stated beside {self.bristles}, and friction has one memory; leave one out", at=(also[0],))
         if not self.coulomb:
             what = "is missing" if self.coulomb is None else "is 0"
             raise refuse(f"{what}; state the friction of bristles that slip, > 0", at=("coulomb",))

@@ -23,7 +23,7 @@ class Refusal(NamedTuple):
 
 
 LOOPED = ("ball loop", "hinge loop", "slide loop", "welded loop", "coupling")
-NOT_PLANNED = ("floating", "afloat", "moving", "ball", "bristles", *LOOPED, "winch")
+NOT_PLANNED = ("floating", "afloat", "moving", "ball", "bristles", "Dahl", "limited rate", *LOOPED, "winch")
 REFUSALS: tuple[Refusal, ...] = (
     Refusal("C, fused", (), "would be one function of", "compilers take long over one function so large", large=True),
     *(

@@ -19,7 +19,9 @@ KINDS = {
     "four-bar linkage": "A four-bar linkage joins",
     "derivatives": "holds in every posture. Of its two",
     "ahead": "Where the gear of such a drive is elastic",
-    "bristles": "Dry friction with",
+    r"\sigma_0": r"Dry friction with $\sigma_0$",
+    r"\sigma_d": r"Dry friction with $\sigma_d$",
+    "effort_rate": "Of the input of an axis with limits of the rate",
     "brake": "A brake whose input is",
     "braked": "The brake of an elastic drive",
 }
@@ -101,9 +103,12 @@ class Axis:
             w = self.qdot
         if self.driven:
             self.known["w"] = w
-            remembers = r"\sigma_0" in self.numbers
-            own = {} if remembers else self._size("elastic")
-            self.known[FRICTION] = self._bristles() if remembers else self.read(self.formula("elastic", r"\tau_f"), own)
+            kind = next((letter for letter in (r"\sigma_0", r"\sigma_d") if letter in self.numbers), "")
+            own = {} if kind else self._size("elastic")
+            self.known[FRICTION] = self._bristles(kind) if kind else self.read(self.formula("elastic", r"\tau_f"), own)
+        if "effort_rate" in self.states:
+            own = self.limits | {"z": self.states["effort_rate"]}
+            self.rates["effort_rate"] = self.read(self.formula("effort_rate", r"\dot{z}"), own)
 
     def _size(self, kind: str) -> dict[str, float]:
         """The size of dry friction, where the text has a letter for it."""
@@ -113,11 +118,12 @@ class Axis:
         unstated = {"F_s": self.numbers.get("c", 0.0), "w_s": 1.0, plain(r"\mu_J"): 0.0}
         return {"F_w": self.read(found, unstated | {"k": 0.0, plain(r"\vartheta"): self.added} | self.numbers)}
 
-    def _bristles(self) -> float:
+    def _bristles(self, kind: str) -> float:
         """Friction that has an internal state, whose rate follows."""
-        own = {"z": self.states["friction"], r"\sigma_1": 0.0} | self.numbers | self._size("bristles")
-        own[r"\dot{z}"] = self.rates["friction"] = self.read(self.formula("bristles", r"\dot{z}"), own)
-        return self.read(self.formula("bristles", r"\tau_f"), own)
+        unstated = {r"\sigma_1": 0.0, r"\delta_d": 0.0}
+        own = {"z": self.states["friction"]} | unstated | self.numbers | self._size(kind)
+        own[r"\dot{z}"] = self.rates["friction"] = self.read(self.formula(kind, r"\dot{z}"), own)
+        return self.read(self.formula(kind, r"\tau_f"), own)
 
     def _crank(self) -> None:
         self.known |= {"u": self.q + self.numbers[plain(r"\beta_0")], plain(r"\sigma"): self.side}
@@ -202,7 +208,7 @@ class Axis:
 
 def axes_of(document: Printed, link: str, count: int) -> list[Axis]:
     """The axes of a link's joint."""
-    acting = [said for p in document.sections["Algorithm"] if p.title == "What acts on the axes" for said in p.said]
+    acting = [said for p in document.sections["Algorithm"] for said in p.said]
     said: dict[str, list] = {}
     words: dict[str, str] = {}
     for kind, start in KINDS.items():

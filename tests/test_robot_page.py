@@ -17,7 +17,8 @@ WITHOUT_UNIT = set(
     """name section_rotation links section modes damping joint bodies basis axial bending_y bending_z torsion
     shear_y shear_z frequencies ratio axes mount at order stations between segments profile tube rod box nu body sid npz
     interface base tip parent drives friction load memory stribeck bend transmission four_bar branch limits elements
-    loops couplings axis of markers points tendons from to actuated actuation brake forces pushes rest""".split()
+    loops couplings axis of markers points tendons from to actuated actuation brake forces pushes rest
+    dahl ductility""".split()
 ) | set(INTERACTIONS)
 """Keys that are no physical quantity in some table."""
 IN_PLACES = {"slide", "screw", "pitch", "world"}

@@ -67,7 +67,7 @@ PARTS = (
         profile.Box,
     ),
     *(modes.Modes, modes.Frequencies, spec.Damping, joint.Joint, joint.Mount, drive.Drive),
-    *(drive.Friction, drive.FrictionMemory, drive.Stribeck, drive.FrictionBend, drive.Transmission),
+    *(drive.Friction, *drive.FRICTION_TABLES.values(), drive.Transmission),
     rest.RestCurvature,
     *(four_bar.FourBar, limit.Limit, brake.Brake, spec.Body, reduced.Reduced),
     *(loops.Loop, loop_joint.LoopJoint, couplings.Coupling, forces.Force, forces.Push, markers.Marker, tendons.Tendon),

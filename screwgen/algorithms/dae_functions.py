@@ -194,8 +194,8 @@ class DaeFunctions(Functions):
     def kinematic_rates(self, x: Sequence, z: Sequence, tau: Sequence = ()) -> list:
         """``xdot`` when the accelerations are given: the differential equations of the DAE.
 
-        ``tau`` acts on the rotors of elastic drives; their accelerations are no unknowns. Raises UsageError where
-        transmissions have elastic gears, whose accelerations need those of the joints.
+        ``tau`` acts on the rotors of elastic drives, whose accelerations are no unknowns, and on internal states.
+        Raises UsageError where transmissions have elastic gears, whose accelerations need those of the joints.
         """
         if self.chain.elastic_travels:
             what = "has an elastic gear behind a transmission, for which the DAE has no differential equations"
@@ -210,7 +210,7 @@ class DaeFunctions(Functions):
             {"Vdot": list(z[12 * i + 6 : 12 * i + 12]), "etaddot": list(z[12 * n + o[i] : 12 * n + o[i + 1]])}
             for i in range(n)
         ]
-        return self._state_rates(x, [a | b for a, b in zip(links, given, strict=True)])
+        return self.under_inputs(tau)._state_rates(x, [a | b for a, b in zip(links, given, strict=True)])
 
     def project(self, x: Sequence) -> list:
         """The state projected onto the joint constraints."""

@@ -303,13 +303,13 @@ def assembly(chain: Chain, constants: str = "parameters") -> tuple[Program, list
 def kinematic_rates(chain: Chain, constants: str = "parameters") -> Program:
     """``(x, z[, tau]) -> (ode)``: the differential equations of the DAE form, the accelerations given.
 
-    ``tau`` is an input where drives are elastic.
+    ``tau`` is an input where drives are elastic or internal states may follow it.
     """
 
     def body(f: DaeFunctions, x: Mapping[str, Sequence]) -> Outputs:
         return {"ode": f.kinematic_rates(x["x"], x["z"], x.get("tau", ()))}
 
-    given = inputs(chain, "x z tau" if chain.n_added else "x z")
+    given = inputs(chain, "x z tau" if chain.n_added or chain.n_force_states else "x z")
     return fuse(chain, "kinematic_rates", given, body, constants, DaeFunctions)
 
 

@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
-from ..elements import LAWS_OF_KEYS
 from ..elements.axis_element import PREFIX
 from ..ir.block import Binding, Block
 from ..ir.lower import lower
 from ..ir.program import Program, Tracer, Value
+from ..spec.drive_class import LAWS_OF_KEYS
 from ..spec.link_class import EXACT, LinkClass
 from ..topology.chain import Chain
 from .axis_laws import columns_of

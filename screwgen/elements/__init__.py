@@ -7,7 +7,6 @@ from .axis_element import AxisElement as AxisElement
 from .axis_element import ElementLaw as ElementLaw
 from .axis_element import key as key
 from .cylinder import CYLINDER as CYLINDER
-from .effort import EffortLimit as EffortLimit
 from .four_bar import FourBarLinkage as FourBarLinkage
 from .friction import BEND as BEND
 from .friction import FALLING as FALLING
@@ -26,12 +25,6 @@ from .relation import Relation as Relation
 from .spring import Spring
 from .stop import STOP as STOP
 from .travel import Travel as Travel
-
-SIZES = tuple(Size(falls, loaded) for loaded in (False, True) for falls in (False, True))
-"""What the size of dry friction may depend on."""
-
-LAWS_OF_KEYS: tuple[Law, ...] = (FRICTION, STOP, FALLING, LOADED, FALLING_LOADED, BEND, *map(BristleFriction, SIZES))
-"""The laws of what drives and limits state; others are those of elements."""
 
 KINDS: dict[str, type[AxisElement]] = {one.KIND: one for one in (Spring,)}
 """The elements of axes that a robot file may state, by its keys."""

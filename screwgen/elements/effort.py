@@ -23,9 +23,11 @@ class EffortLimit(HeldLaw):
     FORMULA = r"\min\left( \max\left( \tau, -\tau_m \right), \tau_m \right)"
     SAID = "at the limit of its effort"
 
-    most: float = key("N·m", "N", "largest effort of the drive, of either sign", r"\tau_m", sign="positive")
+    effort: float = key(
+        *("N·m", "N", "largest effort of the drive, of either sign", r"\tau_m"), sign="positive", least=1e-12, most=1e15
+    )
 
     @staticmethod
-    def held(t: Any, tau: Value, x: Value, w: Value, most: Value) -> Value:
-        above, below = t.named("above", t.call("on", tau - most)), t.named("below", t.call("on", -tau - most))
-        return tau * (1.0 - above - below) + most * (above - below)
+    def held(t: Any, tau: Value, x: Value, w: Value, effort: Value) -> Value:
+        above, below = t.named("above", t.call("on", tau - effort)), t.named("below", t.call("on", -tau - effort))
+        return tau * (1.0 - above - below) + effort * (above - below)

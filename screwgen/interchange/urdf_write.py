@@ -116,13 +116,14 @@ class _Writer:
             self.notes.append(f"{link.name}.joint.brake: is left out; URDF has no brakes")
         if joint.prescribed:
             self.notes.append(f"{link.name}.joint.actuation: is left out; in a URDF efforts move the axes")
-        if any(limit.stiffness is not None for limit in joint.limits or ()):
-            self.notes.append(f"{link.name}.joint.limits: are written without the stiffness of their stops")
+        left = ["the stiffness of their stops"] * any(x.stiffness is not None for x in joint.limits or ())
+        left += dict.fromkeys(law.WORDS for x in joint.limits or () for law in x.laws if law.KIND != "effort")
+        self.notes += [f"{link.name}.joint.limits: are written without {what}" for what in left]
         for k, drive in enumerate(joint.driven):
             known = (None, STICKING[joint.screws[k].slides])
             friction = drive.friction or NO_FRICTION
-            left = ["velocity"] if friction.velocity not in known else []
-            for name in (*left, *(name for name in FRICTION_TABLES if getattr(friction, name))):
+            slips = ["velocity"] if friction.velocity not in known else []
+            for name in (*slips, *(name for name in FRICTION_TABLES if getattr(friction, name))):
                 self.notes.append(f"{link.name}.joint.drives[{k}].friction.{name}: is left out")
 
     # links

@@ -157,7 +157,7 @@ def gains(
     m, step = model.n_joints, seconds(step, "the step")
     at = postures_within(model, postures)
     values = model.chain.parameters.vector(parameters)
-    most = DriveCoordinates(model.chain, values).efforts(model.chain.efforts)
+    most = DriveCoordinates(model.chain, values).efforts(model.chain.most("effort"))
     limits = GainBounds.of(bounds or {}, most)
     ways = [values, *(scaled(model, values, f) for f in models)]
     own = RestLoops.of(model, ways, at, step)

@@ -40,7 +40,7 @@ def motion_limits(
         if key == "efforts" and not (values >= 0).all():
             raise UsageError("limits: efforts: must be positive, of joints without a drive zero")
     drives = DriveCoordinates(model.chain, model.parameter_values)
-    efforts = np.minimum(drives.efforts(model.chain.efforts), own.get("efforts", np.inf))
+    efforts = np.minimum(drives.efforts(model.chain.most("effort")), own.get("efforts", np.inf))
     if gains is not None and getattr(gains, "tau_max", None) is not None:
         efforts = np.minimum(efforts, np.asarray(gains.tau_max, float))
     none = np.full(m, np.inf)

@@ -57,7 +57,7 @@ def lqg(
     refuse_robot(model, "law with a filter", "state gains of your own", PLANNED)
     m, step = model.n_joints, seconds(step, "the step")
     values = model.chain.parameters.vector(parameters)
-    own = DriveCoordinates(model.chain, values).efforts(model.chain.efforts)
+    own = DriveCoordinates(model.chain, values).efforts(model.chain.most("effort"))
     limits = own if efforts is None else np.minimum(own, array(efforts, "efforts:", (m,)))
     if not (limits > 0).all():
         raise UsageError("efforts: must be > 0: the law needs a drive at every joint")

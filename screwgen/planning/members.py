@@ -19,12 +19,13 @@ from ..errors import SingularError, UsageError
 from ..lazily import linalg
 from ..robot_model import RobotModel
 from ..spec.dry_friction import without_dry_friction
+from ..spec.limit import OF_LAWS
 from ..spec.parameters import parameters
 from .drive_coordinates import DriveCoordinates
 from .task import JointLaw, Task
 
 STEPS, SETTLED = 50, 1e-11
-LIMITS = (".effort", ".lower", ".upper")
+LIMITS = (".lower", ".upper", *(f".{name}" for name in OF_LAWS))
 """The ends of the names of limits that motions keep."""
 
 

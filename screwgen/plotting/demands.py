@@ -44,8 +44,8 @@ def bounds_of(run: Run, model: RobotModel | None, controller: Any) -> np.ndarray
     """
     law = _started(run, model, controller)
     bounds = getattr(law, "bounds", getattr(law, "tau_max", None))
-    if bounds is None and model is not None and np.isfinite(model.chain.efforts).any():
-        bounds = np.append(model.chain.efforts, np.full(model.n_tau - model.n_joints, np.inf))
+    if bounds is None and model is not None and np.isfinite(model.chain.most("effort")).any():
+        bounds = np.append(model.chain.most("effort"), np.full(model.n_tau - model.n_joints, np.inf))
     return None if bounds is None else np.array(bounds, float)
 
 

@@ -5,8 +5,8 @@ from typing import Any
 
 from ..elements import KINDS, AxisElement, Key
 from .messages import unknown
-from .ranges import Range
-from .values import SIGNS, Path, array, refuse, shown
+from .ranges import range_of
+from .values import Path, array, refuse, shown
 
 OfAxis = tuple[AxisElement, ...]
 
@@ -43,17 +43,13 @@ def _element(kind: str, numbers: Any, at: Path) -> AxisElement:
     for name, key in keys.items():
         if name not in numbers and not isinstance(defaults[name], float):
             raise refuse(f"is missing; state the {key.meaning}, {key.unit}", (*at, name))
-    return KINDS[kind](**{name: _within(keys[name], x, (*at, name)) for name, x in numbers.items()})
+    return KINDS[kind](**{name: range_of(keys[name]).check(x, at=(*at, name)) for name, x in numbers.items()})
 
 
 def _checked(element: AxisElement, at: Path) -> AxisElement:
     """An element made in Python with its numbers checked."""
     values = zip(element.table().items(), element.values, strict=True)
-    return type(element)(**{name: _within(key, x, (*at, element.KIND, name)) for (name, key), x in values})
-
-
-def _within(key: Key, value: Any, at: Path) -> float:
-    return Range(SIGNS[key.sign], key.least, key.most, f"{key.unit} or {key.sliding}").check(value, at=at)
+    return type(element)(**{name: range_of(key).check(x, at=(*at, element.KIND, name)) for (name, key), x in values})
 
 
 def stated(given: tuple[OfAxis, ...] | None) -> list[dict[str, dict[str, float]]] | None:

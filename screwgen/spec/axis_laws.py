@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..elements import STOP, AxisElement, EffortLimit, ElementLaw, HeldLaw, Law
+from ..elements import STOP, AxisElement, ElementLaw, HeldLaw, Law
 
 if TYPE_CHECKING:
     from .link_class import LinkClass
@@ -57,12 +57,12 @@ class HeldOnAxis(NamedTuple):
 
 
 def held_laws(key: LinkClass) -> Iterator[HeldOnAxis]:
-    """Those of a class in the order in which they act: elements as they are stated, then the limits of effort."""
+    """Those of a class in the order in which they act: elements as they are stated, then limits."""
     for kind, axis in key.elements:
         if issubclass(kind, HeldLaw):
             yield HeldOnAxis(kind, axis, _element_labels(kind, axis))
-    for axis in key.limited_efforts:
-        yield HeldOnAxis(EffortLimit, axis, (f"limit_effort_{axis + 1}",))
+    for kind, axis in key.limits:
+        yield HeldOnAxis(kind, axis, tuple(f"limit_{name}_{axis + 1}" for name in kind.table()))
 
 
 def _element_labels(kind: type[AxisElement], axis: int) -> tuple[str, ...]:

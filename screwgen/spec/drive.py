@@ -6,7 +6,8 @@ from typing import Annotated, Self
 
 from pydantic import Field, model_validator
 
-from ..elements import Added, Travel
+from ..elements import Added, BristleFriction, Travel
+from ..elements.dahl import DahlFriction
 from ..elements.gear import added_by
 from ..joints.screw import Screw
 from .limit import Limit
@@ -37,8 +38,19 @@ class FrictionMemory(Part):
     spring and a damper, where they slip steadily `coulomb`.
     """
 
-    stiffness: Annotated[float, Stated("bristle stiffness", "stiffness of the bristles of friction")]
-    damping: Annotated[float, Stated("damping", "damping of these bristles")] | None = None
+    stiffness: Annotated[float, Stated.of(BristleFriction.KEYS["stiffness"])]
+    damping: Annotated[float, Stated.of(BristleFriction.KEYS["damping"])] | None = None
+
+
+class FrictionDahl(Part):
+    """What dry friction remembers as metal bends, with the share `u = 1 - F/coulomb` that is left (Dahl's model).
+
+    Where the motion goes on friction grows by `stiffness u (1 - ductility + ductility u)` per rad. Dahl's exponent is 1
+    without ductility, and 2 with all of it.
+    """
+
+    stiffness: Annotated[float, Stated.of(DahlFriction.KEYS["stiffness"])]
+    ductility: Annotated[float, Stated.of(DahlFriction.KEYS["ductility"], ", from 0 to 1")] | None = None
 
 
 class Stribeck(Part):
@@ -55,8 +67,15 @@ class FrictionBend(Part):
     velocity: Annotated[float, Stated("velocity", "rate over which the bend of friction sets in")]
 
 
-FRICTION_TABLES: dict[str, type[Part]] = {"memory": FrictionMemory, "stribeck": Stribeck, "bend": FrictionBend}
+FRICTION_TABLES: dict[str, type[Part]] = {
+    "memory": FrictionMemory,
+    "dahl": FrictionDahl,
+    "stribeck": Stribeck,
+    "bend": FrictionBend,
+}
 """The tables with numbers of friction."""
+BRISTLES: dict[str, type[BristleFriction]] = {"memory": BristleFriction, "dahl": DahlFriction}
+"""The laws of those of bristles."""
 
 
 class Friction(Part):
@@ -64,7 +83,7 @@ class Friction(Part):
 
     With `stribeck` dry friction falls with the rate, and with `bend` a term of the same form is added. With `load` it
     grows with the torque by which the stretch of an elastic gear loads the rotor, `load stiffness/ratio |θ/ratio - q|`.
-    With `memory` dry friction has a state of its own, sticks truly, and needs no `velocity` to smooth its sign.
+    With `memory` or `dahl` dry friction has a state of its own, sticks truly, and has no `velocity` to smooth its sign.
 
     It acts on what the torque acts on: on the rotor (N·m, N·m·s/rad, rad/s) of an elastic drive, on the cylinder of a
     transmission (N, N·s/m, m/s) or the crank of a linkage, else on the joint (of a slide N, N·s/m, m/s).
@@ -79,6 +98,7 @@ class Friction(Part):
     memory: FrictionMemory | None = Field(
         None, description="of dry friction with bristles, as { stiffness = …, damping = … }"
     )
+    dahl: FrictionDahl | None = Field(None, description="of dry friction that holds, as { stiffness = … }")
     stribeck: Stribeck | None = Field(None, description="of dry friction that falls, as { static = …, velocity = … }")
     bend: FrictionBend | None = Field(None, description="of strain-wave gears, as { friction = …, velocity = … }")
 
@@ -88,8 +108,8 @@ class Friction(Part):
             raise refuse("states no friction; give { coulomb = …, velocity = … }, viscous, or both")
         if self.coulomb is None and self.load is not None:
             raise refuse("is stated without coulomb, to which it adds; state it, 0 if there is none", at=("load",))
-        if self.memory is not None:
-            self._checked_memory()
+        if self.bristles:
+            self._checked_bristles()
         elif self.coulomb is None and self.stribeck is not None:
             raise refuse("is stated without coulomb, to which friction falls; state it", at=("stribeck",))
         elif self.coulomb is not None and self.velocity is None:
@@ -98,19 +118,26 @@ class Friction(Part):
             raise refuse("is stated without coulomb, whose sign it smooths; leave it out", at=("velocity",))
         return self
 
-    def _checked_memory(self) -> None:
+    @property
+    def bristles(self) -> str:
+        """The table of its bristles, empty where it has none."""
+        return next((table for table in BRISTLES if getattr(self, table) is not None), "")
+
+    def _checked_bristles(self) -> None:
         """Refuse what does not stand beside bristles."""
+        if also := [table for table in BRISTLES if getattr(self, table) and table != self.bristles]:
+            raise refuse(f"is stated beside {self.bristles}, and friction has one memory; leave one out", at=(also[0],))
         if not self.coulomb:
             what = "is missing" if self.coulomb is None else "is 0"
             raise refuse(f"{what}; state the friction of bristles that slip, > 0", at=("coulomb",))
         if self.velocity is not None:
-            what = "is stated beside memory, whose bristles stick and would creep with a smooth sign"
+            what = f"is stated beside {self.bristles}, whose bristles stick and would creep with a smooth sign"
             raise refuse(f"{what}; leave it out", at=("velocity",))
 
     def without_internal_states(self) -> Self:
         """The friction without its dry part where that remembers."""
-        none = dict.fromkeys(("coulomb", "load", "memory", "stribeck"))
-        return self.model_copy(update=none if self.memory else {})
+        none = dict.fromkeys(("coulomb", "load", "stribeck", self.bristles))
+        return self.model_copy(update=none if self.bristles else {})
 
     @property
     def numbers(self) -> Iterator[tuple[str, float | None]]:
@@ -194,9 +221,9 @@ class Drive(Part):
         if self.damping is not None and not self.elastic:
             what = "is stated without stiffness, and a rigid gear has none"
             raise refuse(f"{what}; use the joint's damping, or friction = {{ viscous = … }}", at=("damping",))
-        if self.transmission is not None and self.friction and self.friction.memory:
+        if self.transmission is not None and self.friction and self.friction.bristles:
             what = f"is stated of a {self.transmission.kind.SHORT}, whose friction has none"
-            raise refuse(f"{what}; leave it out and state velocity", at=("friction", "memory"))
+            raise refuse(f"{what}; leave it out and state velocity", at=("friction", self.friction.bristles))
         self._checked_load()
         return self
 

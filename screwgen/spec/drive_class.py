@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ..elements import BEND, FALLING, FALLING_LOADED, FRICTION, LOADED, BristleFriction, Law, Size, Travel
+from ..elements import BEND, FALLING, FALLING_LOADED, FRICTION, LOADED, STOP, Law, Size, Travel
 from .axis_laws import SIDES
-from .drive import FRICTION_TABLES, NO_FRICTION
+from .drive import BRISTLES, NO_FRICTION
 from .joint import Joint
 
 DRY = {law.size: law for law in (FRICTION, FALLING, LOADED, FALLING_LOADED)}
 """Dry friction without bristles, by what its size depends on."""
+LAWS_OF_KEYS: tuple[Law, ...] = (*DRY.values(), STOP, BEND, *(law(size) for law in BRISTLES.values() for size in DRY))
+"""The laws of what drives and limits state; others are those of elements."""
 
 
 @dataclass(frozen=True)
@@ -24,8 +26,10 @@ class DriveClass:
     damping: bool = False
     coulomb: bool = False
     viscous: bool = False
-    memory: bool = False
-    damped_bristles: bool = False
+    bristles: str = ""
+    """The table of its bristles, if friction has any."""
+    of_bristles: tuple[str, ...] = ()
+    """The keys of that table that it states."""
     stribeck: bool = False
     load: bool = False
     bend: bool = False
@@ -47,9 +51,9 @@ class DriveClass:
         """The laws of its friction but for what is viscous, and the numbers that each is made of, None for zero."""
         own = ("stribeck_static", "stribeck_velocity") * self.stribeck
         own += ("load", "stiffness", *["ratio"] * self.ratio) * self.load
-        if self.memory:
-            damping = "memory_damping" if self.damped_bristles else None
-            yield BristleFriction(self.size), ("memory_stiffness", damping, "coulomb", *own)
+        if law := BRISTLES.get(self.bristles):
+            names = (f"{self.bristles}_{key}" if key in self.of_bristles else None for key in law.KEYS)
+            yield law(self.size), (*names, "coulomb", *own)
         elif self.coulomb:
             yield DRY[self.size], ("coulomb", "velocity", *own)
         if self.bend:
@@ -71,10 +75,11 @@ def drive_classes(joint: Joint) -> tuple[DriveClass, ...]:
         friction = drive.friction or NO_FRICTION
         stated = {name: getattr(drive, name) is not None for name in ("ratio", "rotor_inertia", "stiffness", "damping")}
         stated |= {
-            name: getattr(friction, name) is not None for name in ("coulomb", "viscous", "load", *FRICTION_TABLES)
+            name: getattr(friction, name) is not None for name in ("coulomb", "viscous", "load", "stribeck", "bend")
         }
-        stated["damped_bristles"] = friction.memory is not None and friction.memory.damping is not None
-        out.append(DriveClass(**stated, travel=drive.travel))
+        table = friction.bristles and getattr(friction, friction.bristles)
+        of_bristles = tuple(name for name, value in table or () if value is not None)
+        out.append(DriveClass(**stated, bristles=friction.bristles, of_bristles=of_bristles, travel=drive.travel))
     return tuple(out) if any(drive != DriveClass() for drive in out) else ()
 
 

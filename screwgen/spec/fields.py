@@ -8,7 +8,7 @@ from .brake import Brake
 from .drive import FRICTION_TABLES, Drive, Friction
 from .frequencies import Frequencies
 from .joint import Joint, Mount
-from .limit import Limit
+from .limit import OF_LAWS, Limit
 from .part import Part
 from .rest import RestCurvature
 from .robot import Body, Damping, Link, Robot
@@ -91,19 +91,16 @@ FIELDS |= {  # of a curvature at rest that is stated at stations
     for name in RestCurvature.model_fields
 }
 
-EFFORT = "joint.limits.effort"
-"""The field of the limit of an input."""
-
 
 def of_axis(field: str, joint: Joint, axis: int) -> tuple[str, str] | None:
     """Unit and meaning of a parameter of an axis where they are others than in `FIELDS`: of a slide, of a transmission.
 
-    The limit of an effort has the unit of the input. Friction on a rotor has those of a joint that turns, and so has a
-    rotor's inertia where a ratio is stated; along a cylinder friction has those of a slide.
+    Limits of an input have units by its own. Friction on a rotor has those of a joint that turns, and so has a rotor's
+    inertia where a ratio is stated; along a cylinder friction has those of a slide.
     """
     drive, rotor = joint.driven[axis], field.endswith(".rotor_inertia")
-    if field == EFFORT:
-        return drive.effort(joint.screws[axis])[1], FIELDS[field].description
+    if limit := OF_LAWS.get(field.removeprefix("joint.limits.")):
+        return limit.sliding if drive.effort(joint.screws[axis])[1] == "N" else limit.unit, limit.meaning
     units: Mapping[str, tuple[str, str]] = {} if joint.screws[axis].turn else SLIDING
     rubs = ".friction." in field
     if drive.travel:

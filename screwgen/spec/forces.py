@@ -23,8 +23,8 @@ from .messages import unknown
 from .names import link_name
 from .parents import WORLD
 from .part import Part
-from .ranges import Range, within
-from .values import SIGNS, Path, array, boolean, choice, numbers, quoted, refuse, shown
+from .ranges import range_of, within
+from .values import Path, array, boolean, choice, numbers, quoted, refuse, shown
 
 if TYPE_CHECKING:
     from .robot import Link, Robot
@@ -124,11 +124,6 @@ def _number(one: Number, value: Any, at: Path) -> Any:
     if not one.entries:
         return check(value, at=at)
     return tuple(check(x, at=(*at, k)) for k, x in enumerate(numbers(value, len(one.entries), at=at)))
-
-
-def range_of(one: Number) -> Range:
-    """The range of a number."""
-    return Range(SIGNS[one.sign], one.least, one.most, one.unit)
 
 
 def _about(kind: type[Interaction]) -> str:

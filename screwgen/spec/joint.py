@@ -179,7 +179,10 @@ class Joint(Part):
         frictions = ((x, x.friction and x.friction.without_internal_states()) for x in self.drives or ())
         drives = tuple(x.model_copy(update={"friction": friction}) for x, friction in frictions)
         elements = tuple(tuple(one for one in own if one.state is None) for own in self.elements or ())
-        return self.model_copy(update={"drives": drives or None, "elements": elements or None})
+        limits = tuple(x.without_internal_states() for x in self.limits or ())
+        return self.model_copy(
+            update={"drives": drives or None, "elements": elements or None, "limits": limits or None}
+        )
 
     @property
     def kind(self) -> JointKind:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from ..bases import Basis, Shapes, shapes
-from ..elements import AxisElement, Travel, gear
+from ..elements import AxisElement, HeldLaw, Travel, gear
 from ..joints.kind import JointKind
 from ..joints.product import WELD as WELDED
 from ..joints.screw import Screw
@@ -97,8 +97,8 @@ class LinkClass:
     """The stops of the axes, axis by axis; none where limits have no stiffness."""
     stop_damping: tuple[int, ...] = ()
     """The axes whose stops have damping."""
-    limited_efforts: tuple[int, ...] = ()
-    """The axes whose efforts have a limit that a step holds."""
+    limits: tuple[tuple[type[HeldLaw], int], ...] = ()
+    """The laws of what a step holds that limits of the axes state, each with its axis."""
     prescribed: tuple[int, ...] = ()
     """The axes whose motion is given: their input is an acceleration."""
     brakes: tuple[int, ...] = ()
@@ -315,9 +315,7 @@ def link_class(
         drives=drive_classes(joint),
         stops=stops(joint),
         stop_damping=tuple(k for k, x in enumerate(joint.limits or ()) if x.damping is not None),
-        limited_efforts=tuple(
-            k for k, x in enumerate(joint.limits or ()) if x.effort is not None and k not in joint.prescribed
-        ),
+        limits=tuple((law, k) for k, x in enumerate(joint.limits or ()) for law in x.laws if k not in joint.prescribed),
         prescribed=joint.prescribed,
         brakes=joint.braked,
         elements=tuple((type(one), axis) for axis, own in enumerate(joint.elements or ()) for one in own),

@@ -99,7 +99,7 @@ COULOMB = "joint.drives.friction.coulomb"
 def _of_axis(parameter: Parameter, joint: Joint) -> Parameter:
     """A parameter of a joint with unit, meaning and sign of its axis, if it has others."""
     friction = joint.driven[parameter.index[0]].friction if parameter.field == COULOMB else None
-    if friction and friction.memory:
+    if friction and friction.bristles:
         parameter = replace(parameter, sign="positive")
     if parameter.field not in SLIDING or not (other := of_axis(parameter.field, joint, parameter.index[0])):
         return parameter

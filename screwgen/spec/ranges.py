@@ -8,7 +8,7 @@ number outside is a slip of the unit or of the exponent.
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from .values import Path, array, fraction, non_negative, number, numbers, positive, refuse, shown
+from .values import SIGNS, Path, array, fraction, non_negative, number, numbers, positive, refuse, shown
 
 
 class Range(NamedTuple):
@@ -87,9 +87,7 @@ RANGES = {
     "coulomb": Range(non_negative, 1e-12, 1e12, "N·m or N"),
     "friction by load": Range(non_negative, 1e-12, 1e6, "1"),
     "static friction": Range(positive, 1e-12, 1e12, "N·m or N"),
-    "bristle stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "limit": Range(number, 0.0, 1e6, "rad or m"),
-    "effort": Range(positive, 1e-12, 1e15, "N·m or N"),
     "stop stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "brake inertia": Range(positive, 1e-12, 1e12, "kg·m² or kg"),
     "brake time": Range(positive, 1e-9, 1e6, "s"),
@@ -116,12 +114,18 @@ RANGES = {
 """Quantity -> range; a link's own mass, `rhoA` times its length, is within that of bodies for any arm there is."""
 
 
-def within(quantity: str) -> Callable[..., float]:
-    """The check that a value is a number in the range of `quantity`."""
-    return RANGES[quantity].check
+def range_of(key: Any) -> Range:
+    """The range of a number that a class states: of a :class:`screwgen.elements.Key`, or of one of a force."""
+    units = dict.fromkeys((key.unit, getattr(key, "sliding", key.unit)))
+    return Range(SIGNS[key.sign], key.least, key.most, " or ".join(units))
 
 
-def several(quantity: str, size: int | None = None) -> Callable[[Any], tuple[float, ...]]:
+def within(quantity: str | Range) -> Callable[..., float]:
+    """The check that a value is a number in the range of `quantity`, or in one of its own."""
+    return (RANGES[quantity] if isinstance(quantity, str) else quantity).check
+
+
+def several(quantity: str | Range, size: int | None = None) -> Callable[[Any], tuple[float, ...]]:
     """The check that a value is an array of such numbers, of `size` or any number of them."""
     check = within(quantity)
 

@@ -218,11 +218,10 @@ class Chain(Coordinates, ChosenInputs):
         own = [limit.bounds for joint in joints for limit in joint.limits or (Limit(),) * len(joint.axes)]
         return np.array(own, float).reshape(-1, 2)
 
-    @property
-    def efforts(self) -> np.ndarray:
-        """(n_joints,): the limits of the efforts in the robot file, N·m or N where the drives act; infinite without."""
+    def most(self, key: str) -> np.ndarray:
+        """(n_joints,): the limits of inputs under a key of the robot file, where the drives act; infinite without."""
         joints = (link.joint for link in self.robot.links)
-        own = [limit.effort for joint in joints for limit in joint.limits or (Limit(),) * len(joint.axes)]
+        own = [getattr(limit, key) for joint in joints for limit in joint.limits or (Limit(),) * len(joint.axes)]
         return np.array([math.inf if one is None else one for one in own], float)
 
     @cached_property

@@ -59,9 +59,12 @@ FRICTIONS: dict[str, dict] = {
     "friction": FALLING,
     "loaded friction": FALLING | {"load": 0.4},
     "bristles": BRISTLES | BEND,
+    "Dahl": {"coulomb": 1.4, "viscous": 0.2, "dahl": {"stiffness": 50.0, "ductility": 0.6}},
 }
 EFFORT, ENOUGH = 6.0, 500.0
 """Limits of efforts: that of the fore's axis, which the judge's state is beyond, and one that nothing reaches."""
+RATE = {"effort_rate": 50.0, "effort_time": 0.04}
+"""That of the rate of the fore's."""
 LOOPS: dict[str, list] = {
     "ball loop": ["x", "y", "z"],
     "hinge loop": ["y"],
@@ -179,7 +182,7 @@ def _boom(row: Row) -> dict:
         boom["frame_at"] = 0.3
     if row["more"] == "bodies":
         boom["bodies"] = [{"at": "base", "mass": 0.7, "com": [0.02, 0.05, -0.03]}, copy.deepcopy(PAYLOAD)]
-    if row["axis"] == "limited" and row["base"] != "afloat" and row["turn"] != "ball":
+    if row["axis"] in ("limited", "limited rate") and row["base"] != "afloat" and row["turn"] != "ball":
         boom["joint"]["limits"] = [{"effort": ENOUGH} for _ in boom["joint"]["axes"]]
     if (
         row["axis"] == "given motion"
@@ -223,8 +226,8 @@ def _fore(row: Row) -> dict:
             joint["elements"] = [{"spring": {"stiffness": 25.0, "rest": 0.3}}]
         case "stops":
             joint["limits"] = [{"lower": -0.1, "upper": 0.15, "stiffness": 90.0, "damping": 3.0}]
-        case "limited":
-            joint["limits"] = [{"effort": EFFORT}]
+        case "limited" | "limited rate":
+            joint["limits"] = [{"effort": EFFORT} | (RATE if row["axis"] == "limited rate" else {})]
         case "given motion":
             joint["actuation"] = "motion"
         case "brakes":

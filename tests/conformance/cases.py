@@ -71,12 +71,7 @@ class Case:
     @cached_property
     def acting(self) -> np.ndarray:
         """The inputs as a step holds them: those beyond the limits of the robot file are cut off there."""
-        joints, tau = [link["joint"] for link in self.robot["links"]], self.given[2]
-        counts = [3 if joint["axes"] == "ball" else len(joint["axes"]) for joint in joints]
-        tables = [x for joint, n in zip(joints, counts, strict=True) for x in joint.get("limits", [{}] * n)]
-        most = [table.get("effort", np.inf) for table in tables]
-        most = np.append(most, np.full(len(tau) - len(most), np.inf))
-        return np.clip(tau, -most, most)
+        return self.judge.limits.held(self.given[2])
 
     def energy(self, functions, q, v, tau, *p):
         """Kinetic and potential; of the inputs too where these act on forces between frames."""

@@ -47,6 +47,7 @@ def _drawn(rng, row: Row, robot: dict) -> Judge:
     judge.outer.winches = rng.uniform(-0.3, 0.3, judge.outer.winches.shape)
     judge.outer.relaxed = rng.uniform(-0.2, 0.2, len(judge.outer.relaxed))
     judge.bristles.z = rng.uniform(-0.04, 0.04, len(judge.bristles.z))
+    judge.limits.z = rng.uniform(-4.0, 4.0, len(judge.limits.z))
     return judge
 
 
@@ -69,7 +70,7 @@ def _mild(rng, row: Row, robot: dict, oracle: Oracle, state: dict) -> None:
             before = q[own].copy()
             q[own] = rng.uniform(0.25, 0.5, 1) * rng.choice([-1, 1])
             _geared(oracle, state, own, before)
-            if row["axis"] == "limited":
+            if row["axis"] in ("limited", "limited rate"):
                 tau[own] = rng.choice([-1, 1]) * rng.uniform(1.5, 3.0, 1) * EFFORT
     if row["closing"] == "coupling":
         coupling, places = robot["couplings"][0], axes_of(oracle.robot)

@@ -68,12 +68,14 @@ FACTORS: dict[str, dict[str, str]] = {
         "friction": "dry and viscous friction of a drive, which falls and bends",
         "loaded friction": "friction behind an elastic gear that grows with its load",
         "bristles": "friction that remembers, an internal state",
+        "Dahl": "friction that yields as metal does, an internal state",
     },
     "axis": {
         "free": "",
         "spring": "a preloaded spring, an element of an axis",
         "stops": "stops at limits",
         "limited": "limits of efforts, which steps keep",
+        "limited rate": "limits of the rate of efforts, an internal state, besides",
         "passive": "armature, damping and stiffness of an axis",
         "given motion": "axes whose motion is given",
         "brakes": "brakes of axes, inputs, half closed",
@@ -130,7 +132,11 @@ IMPOSSIBLE: dict[tuple[str, str], str] = {
         (drive, "loaded friction"): "only the stretch of an elastic gear tells its load"
         for drive in ("rotor", *TRAVELS)
     },
-    **{(drive, "bristles"): "bristles are not known behind transmissions yet" for drive in TRAVELS},
+    **{
+        (drive, friction): "bristles are not known behind transmissions yet"
+        for friction in ("bristles", "Dahl")
+        for drive in TRAVELS
+    },
     **{(drive, "given motion"): "the input of a transmission is its force" for drive in TRAVELS},
     **{(drive, "brakes"): "brakes are not known behind such gears" for drive in TRAVELS[2:]},
     **{("ball", closing): BESIDE_BALLS for closing in list(FACTORS["closing"])[1:] if closing != "compliant loop"},
@@ -142,12 +148,12 @@ BUILT_OTHERWISE: dict[tuple[str, str], str] = {
 }
 """Pairs that the two links of the matrix leave no place for; another robot may have them."""
 
-LATER: dict[str, str] = {"compliant loop": "closing"}
+LATER: dict[str, str] = {"compliant loop": "closing", "Dahl": "friction", "limited rate": "axis"}
 """Levels with rows of their own, by factor: those that came after the array was chosen, whose rows would all change."""
 
 LATER_PAIRS: tuple[tuple[str, str], ...] = (
     *(("ball", drive) for drive in list(FACTORS["drive"])[1:]),
-    *(("ball", friction) for friction in list(FACTORS["friction"])[1:]),
+    *(("ball", friction) for friction in list(FACTORS["friction"])[1:] if friction not in LATER),
     *(("ball", axis) for axis in ("spring", "stops", "limited")),
 )
 """Pairs with rows of their own, in which the other factors have levels too: they were refused when it was chosen."""

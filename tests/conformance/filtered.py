@@ -87,7 +87,7 @@ def parameters(case: Case) -> None:
         np.random.default_rng(case.seed),
         dict(zip(model.parameter_names, model.parameter_values, strict=True)),
     )
-    offered = [name for name in rng.permutation(list(stated)) if stated[name] and not name.endswith(".effort")]
+    offered = [name for name in rng.permutation(list(stated)) if stated[name] and ".effort" not in name]
     opened = opening(model.chain, [model.parameter_names.index(name) for name in offered[:8]])
     offered = [name for name in offered[:8] if model.parameter_names.index(name) not in opened]
     states = [ParameterState(name, 0.05 * abs(stated[name]), 0.01 * stated[name] ** 2) for name in offered[:3]]

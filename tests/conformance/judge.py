@@ -21,6 +21,7 @@ from scipy.spatial.transform import Rotation
 
 from conformance.braked import Brake, brakes_of
 from conformance.bristles import Bristles
+from conformance.limited import DriveLimits
 from conformance.outer import Outer
 from conformance.tendons import tendon_length
 from conformance.twin import axes_of, first_piece
@@ -49,7 +50,7 @@ class Judge:
             self.state["v"] = self.rows.moving(self.state["q"], self.state["v"])
         self.bristles = Bristles(robot, axes_of(twin), oracle.drives)
         self.tensions, self.outer = np.zeros(len(self.tendon_lengths)), Outer(robot, twin, oracle)
-        self.closed = np.zeros(len(self.brakes))
+        self.closed, self.limits = np.zeros(len(self.brakes)), DriveLimits(robot)
         self.pushes = np.zeros((len(self.outer.rows), 6))
 
     # ------------------------------------------------------------------------------------ regularity, tolerance
@@ -125,8 +126,8 @@ class Judge:
 
     @property
     def internal(self) -> np.ndarray:
-        """The internal states: bristles of friction, then lines that relax."""
-        return np.append(self.bristles.z, self.outer.relaxed)
+        """The internal states: bristles of friction, lines that relax, then efforts that limits of rates follow."""
+        return np.concatenate([self.bristles.z, self.outer.relaxed, self.limits.z])
 
     def _forces(self, q, tau) -> np.ndarray:
         """Those of drives, springs on axes, tendons, and of what acts on sections."""
@@ -281,7 +282,8 @@ class Judge:
                 out[own] += column_rates(self.map[own, own], v[own])
             if kind == "free":
                 out[own] = self.oracle.link_twist_rates(q, v, a)[i]
-        return np.concatenate([out, self.bristles.rates(v), self.acted[4][:, 0]])
+        torques = self.state["tau"][6 * ("base" in self.robot) :]
+        return np.concatenate([out, self.bristles.rates(v), self.acted[4][:, 0], self.limits.rates(torques)])
 
     @cached_property
     def forces(self) -> np.ndarray:

@@ -24,7 +24,7 @@ class Refusal(NamedTuple):
 
 LOOPED = ("ball loop", "hinge loop", "slide loop", "welded loop", "coupling")
 TWISTED = ("elastic cylinder", "elastic four-bar")
-NOT_PLANNED = ("floating", "afloat", "moving", "ball", "bristles", *LOOPED, "winch")
+NOT_PLANNED = ("floating", "afloat", "moving", "ball", "bristles", "Dahl", "limited rate", *LOOPED, "winch")
 NOT_PREDICTED = (
     "floating",
     "afloat",
@@ -33,6 +33,7 @@ NOT_PREDICTED = (
     "loaded friction",
     "cylinder",
     "four-bar",
+    "limited rate",
     *TWISTED,
     *LOOPED,
 )

@@ -121,7 +121,7 @@ def _without_bristles(joint: dict) -> dict:
     for drive in joint.get("drives", []):
         friction = drive.get("friction", {})
         other = {key: x for key, x in friction.items() if key in ("viscous", "bend")}
-        drives.append(drive | {"friction": other} if "memory" in friction else drive)
+        drives.append(drive | {"friction": other} if {"memory", "dahl"} & set(friction) else drive)
     return joint | ({"drives": drives} if drives else {})
 
 

@@ -167,7 +167,7 @@ class Fitted:
     def _torques(self) -> tuple[list[float], list[float]]:
         """The bounds of the torques: those of the file, the limits of efforts where these are tighter."""
         stated, key = self.said.bounds.torques, "bounds.torques"
-        most = np.append(self.chain.efforts, np.full(self.chain.n_tau - self.joints, inf))[self.chosen]
+        most = np.append(self.chain.most("effort"), np.full(self.chain.n_tau - self.joints, inf))[self.chosen]
         if stated is None and not np.isfinite(most).all():
             free = coordinate_names(self.chain.robot).tau[self.chosen[int(np.flatnonzero(~np.isfinite(most))[0])]]
             raise self.refuse(key, f"is missing; state it, or limits of effort of all axes: {free} has none")

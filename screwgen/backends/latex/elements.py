@@ -8,16 +8,15 @@ from ...elements import (
     STOP,
     TRAVELS,
     BristleFriction,
-    EffortLimit,
     ElementLaw,
     Size,
     brake,
     friction,
     gear,
-    lugre,
     stop,
 )
 from ...ir.block import Binding
+from ...spec.drive import BRISTLES
 from ...spec.drive_class import DriveClass
 from ...spec.link_class import LinkClass
 from ...topology.chain import Chain
@@ -30,7 +29,7 @@ def symbols(chain: Chain) -> list[Named]:
     stated += [symbol for kind in chain.travel_kinds for symbol in kind.SYMBOLS]
     stated += gear.TRAVEL_SYMBOLS if chain.elastic_travels else ()
     stated += stop.SYMBOLS if STOP in chain.laws else ()
-    stated += lugre.SYMBOLS if any(drive.memory for drive in _drives(chain)) else ()
+    stated += [symbol for law in _bristles(_drives(chain)) for symbol in law.SYMBOLS]
     stated += friction.FALLING_SYMBOLS if any(drive.stribeck for drive in _drives(chain)) else ()
     stated += friction.LOAD_SYMBOLS if any(drive.load for drive in _drives(chain)) else ()
     stated += friction.BEND_SYMBOLS if any(drive.bend for drive in _drives(chain)) else ()
@@ -72,9 +71,8 @@ $$
 def equations(chain: Chain) -> list[str]:
     """Their sections of text."""
     drives, bends = _drives(chain), any(drive.bend for drive in _drives(chain))
-    out = [gear.equations(_size(drive for drive in drives if not drive.memory), bends)] if driven(chain) else []
-    if remembering := [drive for drive in drives if drive.memory]:
-        out += [lugre.equations(_size(remembering), bends)]
+    out = [gear.equations(_size(drive for drive in drives if not drive.bristles), bends)] if driven(chain) else []
+    out += [law.equations(_size(own), bends) for law, own in _bristles(drives).items()]
     out += [stop.EQUATIONS] if STOP in chain.laws else []
     out += [law.kind.equations() for law in chain.laws if isinstance(law, ElementLaw)]
     out += [kind.EQUATIONS for kind in chain.travel_kinds]
@@ -90,10 +88,10 @@ def remarks(key: LinkClass) -> dict[str, object]:
         "elastic drives": key.added_axes,
         "rigid gears": any(drive.rotor_inertia and not drive.elastic for drive in key.drives),
         **{kind.PLURAL: type(kind) in map(type, key.travels.values()) for kind in TRAVELS},
-        "friction": any((drive.coulomb and not drive.memory) or drive.viscous or drive.bend for drive in key.drives),
-        BristleFriction.words: any(drive.memory for drive in key.drives),
+        "friction": any((drive.coulomb and not drive.bristles) or drive.viscous or drive.bend for drive in key.drives),
+        **{law.words: True for law in _bristles(key.drives)},
         "stops": key.stops,
-        EffortLimit.WORDS: key.limited_efforts,
+        **{law.WORDS: True for law, _ in key.limits},
         "brakes": key.brakes,
         **{kind.WORDS: True for kind, _ in key.elements},
     }
@@ -102,6 +100,11 @@ def remarks(key: LinkClass) -> dict[str, object]:
 def driven(chain: Chain) -> bool:
     """Whether axes have drives."""
     return any(key.drives for key in chain.keys)
+
+
+def _bristles(drives: Iterable[DriveClass]) -> dict[type[BristleFriction], list[DriveClass]]:
+    """The drives with bristles of each kind."""
+    return {law: own for table, law in BRISTLES.items() if (own := [one for one in drives if one.bristles == table])}
 
 
 def _size(drives: Iterable[DriveClass]) -> Size:

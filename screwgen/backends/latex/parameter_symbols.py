@@ -6,7 +6,9 @@ from collections import Counter
 from functools import cache
 
 from ...algorithms.scope import derived
-from ...elements import KINDS, TRAVELS, EffortLimit, brake, friction, gear, lugre, stop
+from ...elements import KINDS, TRAVELS, brake, friction, gear, stop
+from ...spec.drive import BRISTLES
+from ...spec.limit import OF_LAWS
 from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
 from ...topology.chain import Chain
@@ -64,7 +66,7 @@ def _of_axis(chain: Chain, p: Parameter) -> str:
     """That of what acts on an axis."""
     *_, table, name = ("", *p.field.split("."))
     if p.field.startswith("joint.limits."):
-        return (stop.LETTERS | {"effort": EffortLimit.table()["most"].symbol}).get(name, "")
+        return OF_LAWS[name].symbol if name in OF_LAWS else stop.LETTERS.get(name, "")
     if p.field.startswith("joint.brake."):
         return brake.LETTERS[name]
     if p.field.startswith("joint.elements."):
@@ -75,7 +77,7 @@ def _of_axis(chain: Chain, p: Parameter) -> str:
         below = p.field.partition(".transmission.")[2]
         return next((kind.KEYS[name].symbol for kind in TRAVELS if below == f"{kind.TABLE}{name}"), "")
     if below := p.field.partition(".friction.")[2]:
-        return (friction.LETTERS | lugre.LETTERS).get(below, "")
+        return BRISTLES[table].KEYS[name].symbol if table in BRISTLES else friction.LETTERS.get(below, "")
     return gear.LETTERS.get(name, "") if p.field.startswith("joint.drives.") else ""
 
 

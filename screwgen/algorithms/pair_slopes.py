@@ -193,6 +193,32 @@ def entries() -> Program:
 
 
 @cache
+def tip_column() -> Program:
+    """A coordinate's changes at a tip that it carries, in the tip's axes R: ``J`` and ``V_q``, as of :class:`.TipChange`.
+
+    ``v``: the tip's velocity in its own axes; ``a`` and ``c_v`` are taken at its point.
+    """
+    tracer = Tracer()
+    sizes = {"U": 3, "a": 3, "by_q": 3, "c_v": 3, "R": 9, "v": 3}
+    x = {name: mx.array(list(tracer.input(name, n))) for name, n in sizes.items()}
+    inward = lambda name: mx.multiply(x["R"].reshape(3, 3).T, x[name])  # noqa: E731
+    turn, shift = inward("U"), inward("a")
+    out = {"J": [*turn, *shift], "V_q": [*inward("by_q"), *(0.5 * inward("c_v") + mx.cross(x["v"], turn))]}
+    return tracer.program("tip_column", sizes, out)
+
+
+@cache
+def wrench_change() -> Program:
+    """Less the change of a wrench on a tip, in the tip's axes ``R_T`` at ``r_T``: at p in the axes R of a joint."""
+    tracer = Tracer()
+    sizes = {"R": 9, "p": 3, "R_T": 9, "r_T": 3, "D_q": 6, "D_v": 6}
+    x = {name: mx.array(list(tracer.input(name, n))) for name, n in sizes.items()}
+    R, R_T, arm = x["R"].reshape(3, 3), x["R_T"].reshape(3, 3), x["r_T"] - x["p"]
+    felt = lambda w: -mx.rotate_wrench(R.T, mx.shift_wrench(arm, mx.rotate_wrench(R_T, w)))  # noqa: E731
+    return tracer.program("wrench_change", sizes, {f"with_{k}": list(felt(x[f"D_{k}"])) for k in "qv"})
+
+
+@cache
 def wrench_rows() -> Program:
     """A component of a joint's wrench, with the row (9) on its link's motion, by a coordinate that carries the link."""
     tracer = Tracer()

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ...algorithms import pair_slopes
 from ...algorithms.linearise import places
@@ -15,13 +15,10 @@ from ...algorithms.pair_slopes import PARTS
 from ...algorithms.structure import Passage
 from ...ir.program import Program
 from ...topology.chain import Chain
-from .code import Writer, trimmed
+from .columns_loop import Expressions, over_columns, starts
 from .fields import node_fields, store_fields
 from .links import Links, Places
 from .runs import CFunction
-
-Expressions = dict[str, str | tuple[int, str]]
-"""What signals are in C, with braces for the number of the entry."""
 
 CHANGES = {
     "U": ("U_q", "U_eta"),
@@ -61,7 +58,12 @@ class Matter:
 
     @property
     def table(self) -> dict[str, CFunction]:
-        return {self.run: CFunction(pair_slopes.SLOPES, "The slopes of every link.", self.results, apart=True)}
+        said = "The slopes of every link."
+        return {self.run: CFunction(pair_slopes.SLOPES, said, self.results, apart=True, each_tip=True)}
+
+    def of(self, chain: Chain) -> Matter:
+        """The same of a robot: where anything acts on tips these are found too."""
+        return replace(self, results=self.results | TIPS) if chain.acts_on_tips else self
 
 
 def _changes(*arrays: str) -> list[str]:
@@ -69,6 +71,7 @@ def _changes(*arrays: str) -> list[str]:
 
 
 POINTS_FOUND = [f"change.{name}" for name in POINTS]
+TIPS = frozenset(("tip.R", "tip.r", "tip.rdot"))
 FORCES = Matter(
     "slopes",
     frozenset(
@@ -168,8 +171,9 @@ class SlopeLinks(Links):
 
 def is_offered(chain: Chain) -> bool:
     """Whether the slopes of a robot can be found so."""
-    further = chain.closing.rows or chain.acts_on_tips or chain.other_inputs or chain.n_internal
-    return not (further or any(chain.tree.stations) or chain.elastic_travels)
+    turning = chain.acts_on_tips and any(part.v.start >= chain.base_v for part in chain.curved)
+    further = chain.closing.rows or chain.other_inputs or chain.n_internal
+    return not (further or turning or any(chain.tree.stations) or chain.elastic_travels)
 
 
 PAIRS = 128
@@ -199,7 +203,7 @@ def content(chain: Chain, baked: Sequence[dict] | None) -> dict:
     made, moved, pair = _phases(chain, baked, FORCES), pair_slopes.moved(), pair_slopes.entries()
     carried = sum(map(_width, _carrying(chain)))
     made["operations"] += carried * moved.operation_count + _pairs(chain) * pair.operation_count
-    return made | {"moved": _loop(moved, own | AT_LINK), "entries": _loop(pair, own | MOVED)}
+    return made | {"moved": over_columns(moved, own | AT_LINK), "entries": over_columns(pair, own | MOVED)}
 
 
 def wrenches(chain: Chain, baked: Sequence[dict] | None) -> dict:
@@ -213,15 +217,16 @@ def wrenches(chain: Chain, baked: Sequence[dict] | None) -> dict:
     made["operations"] += carrying * columns.operation_count
     return made | {
         "behind": [pair for pairs in behind for pair in pairs],
-        "behind_at": _starts(behind),
-        "moved": _loop(moved, own | AT_LINK),
-        "rows": _loop(row, own | MOVED),
-        "columns": _loop(columns, own | own_columns | {"r_F": "work->r_F[{}][j]"}),
+        "behind_at": starts(behind),
+        "moved": over_columns(moved, own | AT_LINK),
+        "rows": over_columns(row, own | MOVED),
+        "columns": over_columns(columns, own | own_columns | {"r_F": "work->r_F[{}][j]"}),
     }
 
 
 def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
     """The phases of links, and the ranges of rates over which loops over pairs run."""
+    matter = matter.of(chain)
     store, node = f"{matter.run}_link", f"{matter.run}_node"
     links = SlopeLinks(chain, baked, table=matter.table, store=store, node=node, matter=matter)
     phases = links.phases(matter.run)
@@ -234,9 +239,9 @@ def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
         "node": node_fields(programs),
         "store": store_fields(programs, chain),
         "carrying": [pair for pairs in carrying for pair in pairs],
-        "carrying_at": _starts(carrying),
+        "carrying_at": starts(carrying),
         "own": [pair for pairs in own for pair in pairs],
-        "own_at": _starts(own),
+        "own_at": starts(own),
         "sparse": bool(not chain.tree.is_chain or chain.n_added),
         "operations": sum(p.program.operation_count for p in links.passages(matter.run)),
         "distinct": programs,
@@ -275,27 +280,3 @@ def _joined(ranges: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
         else:
             out.append((first, end))
     return out
-
-
-def _starts(lists: Sequence[Sequence]) -> list[int]:
-    """Where the entries of each list begin in all of them together, and their end."""
-    out = [0]
-    for entries in lists:
-        out.append(out[-1] + len(entries))
-    return out
-
-
-def _loop(program: Program, own: Expressions) -> list[str]:
-    """The body of a loop over coordinates j; ``own``: the expressions of signals that are no columns of changes."""
-
-    def place(name: str, k: int) -> str:
-        if name not in own and name in program.outputs:
-            return f"{name}[j]"
-        text = own.get(name, f"change->{name}[{{}}][j]")
-        if isinstance(text, str):
-            return text.format(k)
-        first, shifted = text
-        return f"change->{name}[{k}][j]" if k < first else f"moved->{shifted}[{k - first}][j]"
-
-    taken = {*program.inputs, *program.outputs, "change", "moved", "work", "j"}
-    return trimmed(Writer(program, place, None, taken, apart=True).lines())

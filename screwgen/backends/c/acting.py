@@ -1,0 +1,72 @@
+"""What acts on tips, and inputs besides torques, in slopes by recursion: empty for a robot without them.
+
+An example: a spring between two tips. Its wrenches change with the poses and twists of both, by two matrices (12, 12)
+that a straight program finds. How the tips move with every coordinate is known from the recursion, so products of the
+two in loops are what the spring changes: the text does not grow with what carries the tips.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...algorithms import pair_slopes
+from ...algorithms.tip_programs import acting_maps, tips_acted_on
+from ...topology.chain import Chain
+from .code import Place, entries, singular
+from .columns_loop import over_columns, starts
+from .pieces import piece_place, pieces
+
+RESULTS = ("by_pose", "by_twist", "velocity", "exerted", "f_z")
+POINTERS = ("c", "state", "input", "work")
+AT_TIP = {"R": "R[{}]", "v": "v[{}]", "a": "moved->a[{}][j]", "c_v": "moved->c_v[{}][j]"}
+AT_TIP |= {"J": "tip->J[{}][j]", "V_q": "tip->V_q[{}][j]"}
+"""The expressions of :func:`.tip_column` that are no columns of changes."""
+AT_JOINT = {"R": "joint->R[{}]", "p": "joint->point[{}]", "R_T": "R[{}]", "r_T": "r[{}]"}
+AT_JOINT |= {"D_q": "D_q[{}][j]", "D_v": "D_v[{}][j]", "with_q": "with_q[{} * $$_NV + j]"}
+"""Those of :func:`.wrench_change`; its rates follow."""
+
+
+def is_needed(chain: Chain) -> bool:
+    """Whether a robot has any of them."""
+    return bool(chain.acts_on_tips or chain.other_inputs or chain.n_force_states)
+
+
+def content(chain: Chain, baked: bool, place: Place) -> dict | None:
+    """The templates' context: the program in pieces, and which tips every map joins."""
+    if not is_needed(chain):
+        return None
+    program = acting_maps(chain, "baked" if baked else "constants")
+    own = {name: entries(f"work->{name}") for name in RESULTS}
+    made = pieces(program, piece_place(chain, "work->kept", own, place), POINTERS, fail=singular)
+    tips = tips_acted_on(chain) if chain.acts_on_tips else []
+    maps = [[tips.index(i) for i in ends] for ends in _ends(chain)] if tips else []
+    begins = [sum(36 * len(ends) ** 2 for ends in maps[:k]) for k in range(len(maps))]
+    bearing = [_bearing(chain, i) for i in tips]
+    with_v = {"with_v": f"with_v[{{}} * {'$$_NVZ' if chain.n_internal else '$$_NV'} + j]"}
+    return made | {
+        "programs": [program],
+        "tips": tips,
+        "nodes": [chain.tree.tip(i) for i in tips],
+        "maps": maps,
+        "begins": begins,
+        "bearing": [i for links in bearing for i in links],
+        "bearing_at": starts(bearing),
+        "base": chain.base_v,
+        "sizes": {name: len(program.outputs.get(name, ())) for name in RESULTS},
+        "column": over_columns(pair_slopes.tip_column(), AT_TIP),
+        "change": over_columns(pair_slopes.wrench_change(), AT_JOINT | with_v, adding=True),
+    }
+
+
+def _ends(chain: Chain) -> list[Sequence[int]]:
+    """The segments at whose tips each of :meth:`.force_maps` ends."""
+    return [*((i,) for i in chain.turned_wrenches), *(force.tips for force in chain.forces)]
+
+
+def _bearing(chain: Chain, i: int) -> list[int]:
+    """The links whose joints bear what acts on the tip of link i; none is a base that floats."""
+    out = []
+    while i >= 0:
+        out += [i] * (not chain.keys[i].floats)
+        i = chain.tree.parents[i]
+    return out

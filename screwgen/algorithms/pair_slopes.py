@@ -141,7 +141,7 @@ def _write_wrenches(s: Scope, R: Array, r: Array) -> None:
         own |= {f"eta_{part}": rw.shifted(-r_B, s.read(f"w.F_{name}")) for part, name in of_modes.items()}
         own |= {f"{part}_vdot": rw.shifted(-r_B, values) for part, values in by_vdot.items()}
         own |= {"rows": turned(_rows(s.read("w.omega_i"), rows)).T}
-        if s.key.floats:
+        if s.key.floats and not s.key.joint.given:
             own = {name: mx.zeros(*values.shape) for name, values in own.items()}
         own |= {"R": R, "point": r + mx.multiply(R, r_B), "wrench": s.read("w.w_J")}
         for name, values in own.items():

@@ -53,6 +53,15 @@ def acting_maps(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Se
     return out
 
 
+@program("q v tau")
+def wrenches_per_unit(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> Outputs:
+    """``(q, v, tau) -> (wrench_input, wrench_state)``, as :func:`.wrench_program` has them; each where there are any."""
+    own = f.wrenches_of_inputs(q, v, tau) if f.chain.inputs_load_links else []
+    by_state = f.wrenches_of_states(q, v, tau) if f.chain.n_force_states else []
+    made = {"wrench_input": own, "wrench_state": by_state}
+    return {name: [x for wrench in wrenches for x in wrench] for name, wrenches in made.items() if wrenches}
+
+
 def tips_acted_on(chain: Chain) -> list[int]:
     """The segments on whose tips anything acts, in the order of :meth:`.force_maps`."""
     return list(dict.fromkeys(acting_tips(chain)))

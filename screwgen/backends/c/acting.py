@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...algorithms import pair_slopes
-from ...algorithms.tip_programs import acting_maps, tips_acted_on
+from ...algorithms.tip_programs import acting_maps, tips_acted_on, wrenches_per_unit
+from ...spec.link_class import LinkClass
 from ...topology.chain import Chain
 from .code import Place, entries, singular
 from .columns_loop import over_columns, starts
@@ -58,6 +59,16 @@ def content(chain: Chain, baked: bool, place: Place) -> dict | None:
     }
 
 
+def units(chain: Chain, baked: bool, place: Place) -> dict | None:
+    """The program of what joint wrenches gain by a unit of each input and state, in pieces; None where they gain none."""
+    if not (chain.inputs_load_links or chain.n_force_states):
+        return None
+    program = wrenches_per_unit(chain, "baked" if baked else "constants")
+    own = {"wrench_input": entries("work->by_input", 6 * chain.n), "wrench_state": entries("work->by_state", 6 * chain.n)}
+    made = pieces(program, piece_place(chain, "kept", own, place), (*POINTERS, "kept"))
+    return made | {"programs": [program]}
+
+
 def _ends(chain: Chain) -> list[Sequence[int]]:
     """The segments at whose tips each of :meth:`.force_maps` ends."""
     return [*((i,) for i in chain.turned_wrenches), *(force.tips for force in chain.forces)]
@@ -67,6 +78,11 @@ def _bearing(chain: Chain, i: int) -> list[int]:
     """The links whose joints bear what acts on the tip of link i; none is a base that floats."""
     out = []
     while i >= 0:
-        out += [i] * (not chain.keys[i].floats)
+        out += [i] * bears(chain.keys[i])
         i = chain.tree.parents[i]
     return out
+
+
+def bears(key: LinkClass) -> bool:
+    """Whether a link's joint has a wrench; that of a floating base has none, unless its motion is given."""
+    return not key.floats or key.joint.given

@@ -60,7 +60,9 @@ def content(
         "stumpff": slopes(made["programs"], bool(chain.curved)),
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
-        "wrenches": _wrenches_by_recursion(chain, baked) if recursion else _wrenches(chain, baked is not None, place),
+        "wrenches": _wrenches_by_recursion(chain, baked, place)
+        if recursion
+        else _wrenches(chain, baked is not None, place),
     }
 
 
@@ -104,11 +106,13 @@ def _pieces(chain: Chain, baked: bool, place: Place) -> dict:
     return made | {"programs": [program]}
 
 
-def _wrenches_by_recursion(chain: Chain, baked: Sequence[dict] | None) -> dict:
+def _wrenches_by_recursion(chain: Chain, baked: Sequence[dict] | None, place: Place) -> dict:
     """The derivatives of joint wrenches where links have functions of their own."""
     found = recursive_slopes.wrenches(chain, baked)
     own = {"operations": found["operations"], "product": _products_of_wrenches(chain)}
-    return own | {"recursion": found, "stumpff": slopes(found["distinct"])}
+    units = acting.units(chain, baked is not None, place)
+    programs = [*found["distinct"], *(units["programs"] if units else [])]
+    return own | {"recursion": found, "units": units, "stumpff": slopes(programs)}
 
 
 def _products_of_wrenches(chain: Chain) -> int:

@@ -15,6 +15,8 @@ from ...algorithms.pair_slopes import PARTS
 from ...algorithms.structure import Passage
 from ...ir.program import Program
 from ...topology.chain import Chain
+from . import inputs
+from .acting import bears
 from .columns_loop import Expressions, over_columns, starts
 from .fields import node_fields, store_fields
 from .links import Links, Places
@@ -172,7 +174,7 @@ class SlopeLinks(Links):
 def is_offered(chain: Chain) -> bool:
     """Whether the slopes of a robot can be found so."""
     turning = chain.acts_on_tips and any(part.v.start >= chain.base_v for part in chain.curved)
-    further = chain.closing.rows or chain.other_inputs or chain.n_internal
+    further = chain.closing.rows or chain.braked
     return not (further or turning or any(chain.tree.stations) or chain.elastic_travels)
 
 
@@ -209,7 +211,10 @@ def content(chain: Chain, baked: Sequence[dict] | None) -> dict:
 def wrenches(chain: Chain, baked: Sequence[dict] | None) -> dict:
     """The same for those of the joint wrenches."""
     own: Expressions = {name: f"{name}[{{}}]" for name in ("rows", "R", "p", "r", "v")}
-    own_columns: Expressions = {name: f"{name}[{{}} * $$_NV + j]" for name in ("with_q", "with_v", "by_vdot")}
+    rates = "$$_NVZ" if chain.n_internal else "$$_NV"
+    own_columns: Expressions = {
+        name: f"{name}[{{}} * {size} + j]" for name, size in (("with_q", "$$_NV"), ("with_v", rates), ("by_vdot", "$$_NV"))
+    }
     made, moved = _phases(chain, baked, WRENCHES), pair_slopes.moved()
     row, columns, behind = pair_slopes.wrench_rows(), pair_slopes.wrench_columns(), _behind(chain)
     carried, carrying = (sum(map(_width, ranges)) for ranges in (_carrying(chain), behind))
@@ -242,6 +247,7 @@ def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
         "carrying_at": starts(carrying),
         "own": [pair for pairs in own for pair in pairs],
         "own_at": starts(own),
+        "gathers": bool(inputs.scratch(chain)),
         "sparse": bool(not chain.tree.is_chain or chain.n_added),
         "operations": sum(p.program.operation_count for p in links.passages(matter.run)),
         "distinct": programs,
@@ -269,7 +275,7 @@ def _behind(chain: Chain) -> list[list[tuple[int, int]]]:
     for i in reversed(range(chain.n)):
         if (parent := chain.tree.parents[i]) >= 0:
             found[parent] += [*found[i], *_own(chain, i)]
-    return [[] if key.floats else _joined(sorted(own)) for key, own in zip(chain.keys, found, strict=True)]
+    return [_joined(sorted(own)) if bears(key) else [] for key, own in zip(chain.keys, found, strict=True)]
 
 
 def _joined(ranges: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:

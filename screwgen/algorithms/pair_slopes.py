@@ -19,12 +19,15 @@ from functools import cache
 import numpy as np
 
 from ..ir.program import Array, Program, Tracer, Vector
+from ..topology.tree import TIP
 from . import matrices as mx
 from . import rows as rw
+from .elastic_travels import GEAR_SLOPES
 from .functions import SENSITIVITY
 from .loop_slopes import MOTION
 from .schedule import OUTWARD, Algorithm, Phase
 from .scope import Scope
+from .station_names import edge_name
 from .travels import INERTIA
 
 PARTS = {"q": ("q", "qdot"), "eta": ("eta", "etadot")}
@@ -52,17 +55,24 @@ def spread(s: Scope) -> None:
                 s.write(f"change.F_{name}", turned(s.read(f"w.F_{name}")))
     _write_blocks(s)
     _write_wrenches(s, R, r)
+    for section in s.sections:
+        _write_carried(s, section, R, r, v)
+
+
+def _write_carried(s: Scope, section: Scope, R: Array, r: Vector, v: Vector) -> None:
+    """The changes of what the tip carries, or a station, with the modes; its place and velocity."""
+    omega, turned, number = s.read("w.omega_i"), lambda x: rotated(R, x), getattr(section, "number", TIP)
     with s.step("changes of the motion of what the tip carries with the modes and their rates, in inertial axes"):
-        R_T, r_T, udot = s.read("w.R_T"), s.read("w.r_T"), s.read("w.udot_T")
-        omega_T = omega + s.read("w.omega_s")
+        R_T, r_T, udot = (section.read(f"w.{name}") for name in ("R_T", "r_T", "udot_T"))
+        omega_T = omega + section.read("w.omega_s")
         r, v = r + mx.multiply(R, r_T), v + mx.multiply(R, mx.cross(omega, r_T) + udot)
-        s.write("change.U_eta", turned(s.read("w.E")))
+        s.write(edge_name("change.U_eta", number), turned(section.read("w.E")))
         for name in PARTS["eta"]:
-            s.write(f"change.by_{name}", turned(_change(omega_T, s.read(f"w.tip_{name}"))))
-    _write_point(s, "eta", r, v)
-    s.write("tip.R", mx.multiply(R, R_T))
-    s.write("tip.r", r)
-    s.write("tip.rdot", v)
+            s.write(edge_name(f"change.by_{name}", number), turned(_change(omega_T, section.read(f"w.tip_{name}"))))
+    _write_point(s, "eta", r, v, number)
+    section.write("tip.R", mx.multiply(R, R_T))
+    section.write("tip.r", r)
+    section.write("tip.rdot", v)
 
 
 def _placed(s: Scope) -> tuple[Array, Array, Array]:
@@ -78,11 +88,11 @@ def _placed(s: Scope) -> tuple[Array, Array, Array]:
         return R, s.name("r", r), s.read("base.rdot") + mx.multiply(R_P, slip) - mx.multiply(R, swing)
 
 
-def _write_point(s: Scope, part: str, r: Vector, v: Vector) -> None:
+def _write_point(s: Scope, part: str, r: Vector, v: Vector, number: int = TIP) -> None:
     """The point at which the changes of a part of the coordinates are taken, for each of them, and its velocity."""
     count = s.key.joints if part == "q" else s.key.modes
     for name, x in (("r", r), ("v", v)):
-        s.write(f"change.{name}_{part}", np.tile(mx.array(list(x), (3, 1)), (1, count)))
+        s.write(edge_name(f"change.{name}_{part}", number), np.tile(mx.array(list(x), (3, 1)), (1, count)))
 
 
 def rotated(R: Array, x: Array) -> Array:
@@ -126,6 +136,8 @@ def _write_blocks(s: Scope) -> None:
             found["M_q_q"] = found["M_q_q"] + mx.diagonal(s.read(f"w.{INERTIA}"))
         for name, values in found.items():
             s.write(f"block.{name}", values)
+        for name in GEAR_SLOPES if s.key.elastic_travels else ():
+            s.write(f"block.{name}", s.read(f"w.{name}"))
 
 
 def _write_wrenches(s: Scope, R: Array, r: Array) -> None:

@@ -20,7 +20,6 @@ from .pieces import piece_place, pieces
 RESULTS = ("by_pose", "by_twist", "velocity", "exerted", "f_z")
 POINTERS = ("c", "state", "input", "work")
 AT_TIP = {"R": "R[{}]", "v": "v[{}]", "a": "moved->a[{}][j]", "c_v": "moved->c_v[{}][j]"}
-AT_TIP |= {"J": "tip->J[{}][j]", "V_q": "tip->V_q[{}][j]"}
 """The expressions of :func:`.tip_column` that are no columns of changes."""
 AT_JOINT = {"R": "joint->R[{}]", "p": "joint->point[{}]", "R_T": "R[{}]", "r_T": "r[{}]"}
 AT_JOINT |= {"D_q": "D_q[{}][j]", "D_v": "D_v[{}][j]", "with_q": "with_q[{} * $$_NV + j]"}
@@ -54,7 +53,9 @@ def content(chain: Chain, baked: bool, place: Place) -> dict | None:
         "bearing_at": starts(bearing),
         "base": chain.base_v,
         "sizes": {name: len(program.outputs.get(name, ())) for name in RESULTS},
-        "column": over_columns(pair_slopes.tip_column(), AT_TIP),
+        "column": over_columns(
+            pair_slopes.tip_column(), AT_TIP | {name: f"tip->{name}[{{}}][{rate_of(chain)}]" for name in ("J", "V_q")}
+        ),
         "change": over_columns(pair_slopes.wrench_change(), AT_JOINT | with_v, adding=True),
     }
 
@@ -86,3 +87,8 @@ def _bearing(chain: Chain, i: int) -> list[int]:
 def bears(key: LinkClass) -> bool:
     """Whether a link's joint has a wrench; that of a floating base has none, unless its motion is given."""
     return not key.floats or key.joint.given
+
+
+def rate_of(chain: Chain) -> str:
+    """The rate to which a column j of changes belongs: those of what stations carry stand behind the others."""
+    return "j - shift" if any(chain.tree.stations) else "j"

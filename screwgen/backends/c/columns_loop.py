@@ -11,14 +11,14 @@ Expressions = dict[str, str | tuple[int, str]]
 """What signals are in C, with braces for the number of the entry."""
 
 
-def over_columns(program: Program, own: Expressions, adding: bool = False) -> list[str]:
+def over_columns(program: Program, own: Expressions, adding: bool = False, column: str = "j") -> list[str]:
     """The body of a loop over coordinates j; ``own``: the expressions of signals that are no columns of changes.
 
-    ``adding``: results are added to what is in their place."""
+    ``adding``: results are added to what is in their place; ``column``: of results that ``own`` leaves out."""
 
     def place(name: str, k: int) -> str:
         if name not in own and name in program.outputs:
-            return f"{name}[j]"
+            return f"{name}[{column}]"
         text = own.get(name, f"change->{name}[{{}}][j]")
         if isinstance(text, str):
             return text.format(k)

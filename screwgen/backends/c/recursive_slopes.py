@@ -12,11 +12,13 @@ from dataclasses import dataclass, replace
 from ...algorithms import pair_slopes
 from ...algorithms.linearise import places
 from ...algorithms.pair_slopes import PARTS
+from ...algorithms.station_names import at_station, plain
 from ...algorithms.structure import Passage
 from ...ir.program import Program
 from ...topology.chain import Chain
+from ...topology.tree import TIP
 from . import inputs
-from .acting import bears
+from .acting import bears, rate_of
 from .columns_loop import Expressions, over_columns, starts
 from .fields import node_fields, store_fields
 from .links import Links, Places
@@ -45,6 +47,14 @@ BLOCKS = {"M": "work->M", "f_q": "out->vdot_q", "f_v": "out->vdot_v"}
 """The matrices that hold the blocks of single links."""
 OF_JOINT = {"q": "out->wrench_q[i][{}]", "v": "out->wrench_v[i][{}]", "vdot": "work->by_vdot[6 * i + {}]"}
 """The rows of a joint's wrench in its derivatives."""
+GEARS = {
+    "gear_M": ("M", "gear", "axis"),
+    "gear_q": ("f_q", "gear", "axis"),
+    "gear_qdot": ("f_v", "gear", "axis"),
+    "gear_back": ("f_v", "axis", "gear"),
+    "gear_own": ("f_v", "gear", "gear"),
+}
+"""What an elastic gear of a transmission adds, by the names of its slopes: matrix, row and column."""
 FIRST = {"q": "joint", "eta": "mode"}
 """The parameters that say where the rates of a joint and of the modes begin."""
 
@@ -64,8 +74,11 @@ class Matter:
         return {self.run: CFunction(pair_slopes.SLOPES, said, self.results, apart=True, each_tip=True)}
 
     def of(self, chain: Chain) -> Matter:
-        """The same of a robot: where anything acts on tips these are found too."""
-        return replace(self, results=self.results | TIPS) if chain.acts_on_tips else self
+        """The same of a robot: at all its stations, and where anything acts on tips these too."""
+        carried = [f"change.{signal}" for array in CARRIED for signal in CHANGES[array]]
+        most = max(chain.tree.stations, default=0)
+        further = {at_station(name, k) for name in carried for k in range(most)} | (TIPS if chain.acts_on_tips else frozenset())
+        return replace(self, results=self.results | further)
 
 
 def _changes(*arrays: str) -> list[str]:
@@ -73,6 +86,8 @@ def _changes(*arrays: str) -> list[str]:
 
 
 POINTS_FOUND = [f"change.{name}" for name in POINTS]
+CARRIED = ("U", "by_q", "by_v", "r_c", "v_c")
+"""The arrays that have columns for what stations carry, behind those of the rates."""
 TIPS = frozenset(("tip.R", "tip.r", "tip.rdot"))
 FORCES = Matter(
     "slopes",
@@ -80,6 +95,7 @@ FORCES = Matter(
         _changes(*(name for name in CHANGES if name != "F_a"))
         + POINTS_FOUND
         + [f"block.{matrix}_{a}_{b}" for matrix in BLOCKS for a in PARTS for b in PARTS]
+        + [f"block.{name}" for name in GEARS]
     ),
     "linearise_work",
     "derivatives",
@@ -107,8 +123,10 @@ class SlopePlaces(Places):
         if where == "change" and what in POINTS:
             return f"change->{what}[i][{k}]"
         if where == "change":
-            array, part = COLUMN[what]
-            return self._entry(f"change->{array}", k, part)
+            array, part = COLUMN[plain(what)]
+            return self._entry(f"change->{array}", k, part, int(what.rpartition("_at")[2]) if plain(what) != what else TIP)
+        if where == "block" and what in GEARS:
+            return self._of_gear(what, k)
         if where == "block":
             matrix, rows, part = _block(what)
             row, column = divmod(k, self._count(part))
@@ -126,9 +144,21 @@ class SlopePlaces(Places):
             return f"out->wrench[i][{k}]"
         return f"work->joint[i].{what}" + (f"[{k // 9}][{k % 9}]" if what == "rows" else f"[{k}]")
 
-    def _entry(self, array: str, k: int, part: str) -> str:
-        row, column = divmod(k, self._count(part))
+    def _entry(self, array: str, k: int, part: str, station: int = TIP) -> str:
+        count = self._count(part)
+        row, column = divmod(k, count)
+        if station != TIP:
+            return f"{array}[{row}][carried + {station * count + column}]"
         return f"{array}[{row}][{FIRST[part]} + {column}]"
+
+    def _of_gear(self, what: str, k: int) -> str | None:
+        """What an elastic gear of a transmission adds to its row, or to its column in the row of the axis."""
+        key = self.links.chain.keys[self.passage.link]
+        if key.added_axes[k] not in key.elastic_travels:
+            return None
+        matrix, row, column = GEARS[what]
+        places = {"gear": f"gear + {k}", "axis": f"joint + {key.added_axes[k]}"}
+        return f"{BLOCKS[matrix]}[{places[row]}][{places[column]}]"
 
     def _count(self, part: str) -> int:
         """How many rates the link's joint or its modes have."""
@@ -136,7 +166,7 @@ class SlopePlaces(Places):
         return key.joints if part == "q" else key.modes
 
     def names(self) -> set[str]:
-        return super().names() | {"change", "i", "joint", "mode", "work", "out"}
+        return super().names() | {"change", "i", "joint", "mode", "carried", "gear", "work", "out"}
 
     def arguments(self) -> tuple[list[str], list[str]]:
         arguments, values = super().arguments()
@@ -149,6 +179,8 @@ class SlopePlaces(Places):
             "i": ("int i", "i"),
             "joint": ("int joint", begin),
             "mode": ("int mode", "$$_NV - $$_NMODES + e"),
+            "carried": ("int carried", "CARRIED[i]"),
+            "gear": ("int gear", "$$_NV - $$_NINNER + t"),
         }
         used = [pair for name, pair in offered.items() if re.search(rf"\b{name}\b(?!\[i)", text)]
         return arguments + [a for a, _ in used], values + [b for _, b in used]
@@ -175,7 +207,7 @@ def is_offered(chain: Chain) -> bool:
     """Whether the slopes of a robot can be found so."""
     turning = chain.acts_on_tips and any(part.v.start >= chain.base_v for part in chain.curved)
     further = chain.closing.rows or chain.braked
-    return not (further or turning or any(chain.tree.stations) or chain.elastic_travels)
+    return not (further or turning)
 
 
 PAIRS = 128
@@ -195,8 +227,8 @@ def _pairs(chain: Chain) -> int:
     return sum(_width(_own(chain, i)) * _width(ranges) for i, ranges in enumerate(_carrying(chain)))
 
 
-def _width(ranges: Sequence[tuple[int, int]]) -> int:
-    return sum(end - first for first, end in ranges)
+def _width(ranges: Sequence[tuple[int, ...]]) -> int:
+    return sum(end - first for first, end, *_ in ranges)
 
 
 def content(chain: Chain, baked: Sequence[dict] | None) -> dict:
@@ -205,7 +237,7 @@ def content(chain: Chain, baked: Sequence[dict] | None) -> dict:
     made, moved, pair = _phases(chain, baked, FORCES), pair_slopes.moved(), pair_slopes.entries()
     carried = sum(map(_width, _carrying(chain)))
     made["operations"] += carried * moved.operation_count + _pairs(chain) * pair.operation_count
-    return made | {"moved": over_columns(moved, own | AT_LINK), "entries": over_columns(pair, own | MOVED)}
+    return made | {"moved": over_columns(moved, own | AT_LINK), "entries": over_columns(pair, own | MOVED, column=rate_of(chain))}
 
 
 def wrenches(chain: Chain, baked: Sequence[dict] | None) -> dict:
@@ -224,7 +256,7 @@ def wrenches(chain: Chain, baked: Sequence[dict] | None) -> dict:
         "behind": [pair for pairs in behind for pair in pairs],
         "behind_at": starts(behind),
         "moved": over_columns(moved, own | AT_LINK),
-        "rows": over_columns(row, own | MOVED),
+        "rows": over_columns(row, own | MOVED, column=rate_of(chain)),
         "columns": over_columns(columns, own | own_columns | {"r_F": "work->r_F[{}][j]"}),
     }
 
@@ -245,6 +277,9 @@ def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
         "store": store_fields(programs, chain),
         "carrying": [pair for pairs in carrying for pair in pairs],
         "carrying_at": starts(carrying),
+        "columns": f"$$_NV + {_carried(chain)[-1] - chain.nv}" if _carried(chain)[-1] > chain.nv else "$$_NV",
+        "carried": _carried(chain)[:-1],
+        "stations": bool(any(chain.tree.stations)),
         "own": [pair for pairs in own for pair in pairs],
         "own_at": starts(own),
         "gathers": bool(inputs.scratch(chain)),
@@ -259,13 +294,32 @@ def _own(chain: Chain, i: int) -> list[tuple[int, int]]:
     return [(part.start, part.stop) for part in places(chain, i) if part.start < part.stop]
 
 
-def _carrying(chain: Chain) -> list[list[tuple[int, int]]]:
-    """The ranges of the rates of the links that carry each link, sorted, adjacent ones as one."""
-    out: list[list[tuple[int, int]]] = []
+def _carrying(chain: Chain) -> list[list[tuple[int, int, int]]]:
+    """The columns of changes of the coordinates that carry each link, sorted, adjacent ones as one.
+
+    First, end, and how far behind the columns of their rates: what a station carries changes with modes otherwise than
+    what the tip carries, and so has columns of its own.
+    """
+    out: list[list[tuple[int, int, int]]] = []
+    at = _carried(chain)
     for i in range(chain.n):
-        parent = chain.tree.parents[i]
-        found = sorted([*out[parent], *_own(chain, parent)]) if parent >= 0 else []
+        parent, station = chain.tree.parents[i], chain.tree.at(i)
+        found: list[tuple[int, int, int]] = []
+        if parent >= 0:
+            joint, modes = places(chain, parent)
+            count = modes.stop - modes.start
+            first = modes.start if station == TIP else at[parent] + station * count
+            own = (joint.start, joint.stop, 0), (first, first + count, first - modes.start)
+            found = sorted([*out[parent], *(one for one in own if one[0] < one[1])])
         out.append(_joined(found))
+    return out
+
+
+def _carried(chain: Chain) -> list[int]:
+    """Where the columns of a link's stations begin, and the end of all columns."""
+    out = [chain.nv]
+    for i, stations in enumerate(chain.tree.stations or [0] * chain.n):
+        out.append(out[-1] + stations * chain.keys[i].modes)
     return out
 
 
@@ -275,14 +329,15 @@ def _behind(chain: Chain) -> list[list[tuple[int, int]]]:
     for i in reversed(range(chain.n)):
         if (parent := chain.tree.parents[i]) >= 0:
             found[parent] += [*found[i], *_own(chain, i)]
-    return [_joined(sorted(own)) if bears(key) else [] for key, own in zip(chain.keys, found, strict=True)]
+    joined = [_joined([(*one, 0) for one in sorted(own)]) if bears(key) else [] for key, own in zip(chain.keys, found, strict=True)]
+    return [[(first, end) for first, end, _ in own] for own in joined]
 
 
-def _joined(ranges: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
-    out: list[tuple[int, int]] = []
-    for first, end in ranges:
-        if out and out[-1][1] == first:
-            out[-1] = (out[-1][0], end)
+def _joined(ranges: Sequence[tuple[int, int, int]]) -> list[tuple[int, int, int]]:
+    out: list[tuple[int, int, int]] = []
+    for first, end, shift in ranges:
+        if out and out[-1][1:] == (first, shift):
+            out[-1] = (out[-1][0], end, shift)
         else:
-            out.append((first, end))
+            out.append((first, end, shift))
     return out

@@ -220,6 +220,15 @@ def tip_column() -> Program:
 
 
 @cache
+def ball_row() -> Program:
+    """What a row of ``V_q`` has besides in the columns of a ball joint with the rates ``w``, of its row of ``J``: see
+    :meth:`.TipChange.twist_by_q`."""
+    tracer = Tracer()
+    J, w = (mx.array(list(tracer.input(name, 3))) for name in ("J", "w"))
+    return tracer.program("ball_row", {"J": 3, "w": 3}, {"V_q": list(-0.5 * mx.multiply(mx.hat(w).T, J))})
+
+
+@cache
 def wrench_change() -> Program:
     """Less the change of a wrench on a tip, in the tip's axes ``R_T`` at ``r_T``: at p in the axes R of a joint."""
     tracer = Tracer()

@@ -21,6 +21,8 @@ RESULTS = ("by_pose", "by_twist", "velocity", "exerted", "f_z")
 POINTERS = ("c", "state", "input", "work")
 AT_TIP = {"R": "R[{}]", "v": "v[{}]", "a": "moved->a[{}][j]", "c_v": "moved->c_v[{}][j]"}
 """The expressions of :func:`.tip_column` that are no columns of changes."""
+AT_BALL = {"J": "tip->J[3 + j][first + {}]", "w": "rates[first + {}]", "V_q": "tip->V_q[3 + j][first + {}]"}
+"""Those of :func:`.ball_row`, over rows."""
 AT_JOINT = {"R": "joint->R[{}]", "p": "joint->point[{}]", "R_T": "R[{}]", "r_T": "r[{}]"}
 AT_JOINT |= {"D_q": "D_q[{}][j]", "D_v": "D_v[{}][j]", "with_q": "with_q[{} * $$_NV + j]"}
 """Those of :func:`.wrench_change`; its rates follow."""
@@ -52,6 +54,8 @@ def content(chain: Chain, baked: bool, place: Place) -> dict | None:
         "bearing": [i for links in bearing for i in links],
         "bearing_at": starts(bearing),
         "base": chain.base_v,
+        "balls": [part.v.start for part in chain.curved if part.v.start >= chain.base_v] if tips else [],
+        "ball_row": over_columns(pair_slopes.ball_row(), AT_BALL, adding=True),
         "sizes": {name: len(program.outputs.get(name, ())) for name in RESULTS},
         "column": over_columns(
             pair_slopes.tip_column(), AT_TIP | {name: f"tip->{name}[{{}}][{rate_of(chain)}]" for name in ("J", "V_q")}

@@ -205,9 +205,7 @@ class SlopeLinks(Links):
 
 def is_offered(chain: Chain) -> bool:
     """Whether the slopes of a robot can be found so."""
-    turning = chain.acts_on_tips and any(part.v.start >= chain.base_v for part in chain.curved)
-    further = chain.closing.rows or chain.braked
-    return not (further or turning)
+    return not (chain.closing.rows or chain.braked)
 
 
 PAIRS = 128

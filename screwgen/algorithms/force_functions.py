@@ -171,10 +171,10 @@ class ForceFunctions:
             by_pose, by_twist = (mx.array(found[x], (12, 12))[np.ix_(own, own)] for x in ("by_pose", "by_twist"))
             yield tuple(force.tips), by_pose, by_twist
 
-    def tip_velocities(self, q: Sequence, v: Sequence, at: Sequence[int]) -> list[Value]:
-        """The velocities (3,) of some tips, each in its own axes."""
+    def tip_twists(self, q: Sequence, v: Sequence, at: Sequence[int]) -> list[Value]:
+        """The twists (6,) of some tips, each in its own axes."""
         tips = self._tips(q, v)
-        return [x for i in at for x in self._twist(tips[i])[3:]]
+        return [x for i in at for x in self._twist(tips[i])]
 
     def wrenches_by_states(self, q: Sequence, v: Sequence) -> Iterator[tuple[slice, dict[int, Array]]]:
         """The states of every force that has any, and the derivatives (6, states) with them of the wrenches on tips in

@@ -205,17 +205,23 @@ def entries() -> Program:
 
 
 @cache
-def tip_column() -> Program:
+def tip_column(accelerating: bool) -> Program:
     """A coordinate's changes at a tip that it carries, in the tip's axes R: ``J`` and ``V_q``, as of :class:`.TipChange`.
 
-    ``v``: the tip's velocity in its own axes; ``a`` and ``c_v`` are taken at its point.
+    ``twist``: that of the tip in its own axes; ``a``, ``c_q`` and ``c_v`` are taken at its point. Where it is asked for
+    ``acc_q``, ``acc_v`` (6): those of its acceleration.
     """
     tracer = Tracer()
-    sizes = {"U": 3, "a": 3, "by_q": 3, "c_v": 3, "R": 9, "v": 3}
+    sizes = {"U": 3, "a": 3, "by_q": 6, "by_v": 6, "c_q": 3, "c_v": 3, "R": 9, "twist": 6}
+    sizes = sizes if accelerating else {**{k: n for k, n in sizes.items() if k not in ("by_v", "c_q")}, "by_q": 3}
     x = {name: mx.array(list(tracer.input(name, n))) for name, n in sizes.items()}
-    inward = lambda name: mx.multiply(x["R"].reshape(3, 3).T, x[name])  # noqa: E731
-    turn, shift = inward("U"), inward("a")
-    out = {"J": [*turn, *shift], "V_q": [*inward("by_q"), *(0.5 * inward("c_v") + mx.cross(x["v"], turn))]}
+    inward = lambda values: mx.multiply(x["R"].reshape(3, 3).T, values)  # noqa: E731
+    turn, omega, v = inward(x["U"]), x["twist"][:3], x["twist"][3:]
+    out = {"J": [*turn, *inward(x["a"])]}
+    out["V_q"] = [*inward(x["by_q"][:3]), *(0.5 * inward(x["c_v"]) + mx.cross(v, turn))]
+    for k in "qv" if accelerating else "":
+        rate, change = inward(x[f"by_{k}"][:3]), inward(x[f"by_{k}"][3:])
+        out[f"acc_{k}"] = [*(change - mx.cross(omega, rate)), *inward(x[f"c_{k}"])]
     return tracer.program("tip_column", sizes, out)
 
 

@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 from ..ir.program import Program
 from ..topology.chain import Chain
 from .dae_functions import DaeFunctions
-from .force_functions import acting_tips
 from .functions import Functions
 from .fused import Outputs, fuse, inputs, program
 
@@ -32,39 +31,6 @@ def loop_wrenches(f: Functions, **x: Sequence) -> Outputs:
 def acting_wrenches(f: Functions, q: Sequence, v: Sequence, w_ext: Sequence, tau: Sequence = ()) -> Outputs:
     """``(q, v, w_ext) -> (acted)``: the wrenches on all tips in their frames, those of forces included."""
     return {"acted": f.under_inputs(tau).with_forces(q, v, w_ext)}
-
-
-@program("q v tau w_ext")
-def acting_maps(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> Outputs:
-    """``(q, v, tau, w_ext) -> (by_pose, by_twist, velocity)``: :meth:`.force_maps` one behind the other, and the
-    velocities of the :func:`tips_acted_on`.
-
-    With other inputs than torques also ``exerted``, with states of forces ``f_z``, as :func:`.linearisation` has them.
-    """
-    f, chain = f.under_inputs(tau), f.chain
-    maps = [found[1:] for found in f.force_maps(q, v, w_ext)] if f.acts else []
-    joined = lambda k: [x for matrices in maps for x in matrices[k].flat]  # noqa: E731
-    out: dict = {"by_pose": joined(0), "by_twist": joined(1)} if maps else {}
-    out |= {"velocity": f.tip_velocities(q, v, tips_acted_on(chain))} if maps else {}
-    if chain.other_inputs:
-        out["exerted"] = [x for force in f.exerted(q, v, tau) for x in force]
-    if chain.n_force_states:
-        out["f_z"] = [x for force in f.exerted_by_states(q, v) for x in force]
-    return out
-
-
-@program("q v tau")
-def wrenches_per_unit(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> Outputs:
-    """``(q, v, tau) -> (wrench_input, wrench_state)``, as :func:`.wrench_program` has them; each where there are any."""
-    own = f.wrenches_of_inputs(q, v, tau) if f.chain.inputs_load_links else []
-    by_state = f.wrenches_of_states(q, v, tau) if f.chain.n_force_states else []
-    made = {"wrench_input": own, "wrench_state": by_state}
-    return {name: [x for wrench in wrenches for x in wrench] for name, wrenches in made.items() if wrenches}
-
-
-def tips_acted_on(chain: Chain) -> list[int]:
-    """The segments on whose tips anything acts, in the order of :meth:`.force_maps`."""
-    return list(dict.fromkeys(acting_tips(chain)))
 
 
 def row_terms(chain: Chain, constants: str = "parameters", dae: bool = False) -> Program:

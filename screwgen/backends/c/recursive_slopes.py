@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from ...algorithms import pair_slopes
+from ...algorithms.acting_programs import tips_acted_on
 from ...algorithms.linearise import places
 from ...algorithms.pair_slopes import PARTS
 from ...algorithms.station_names import at_station, plain
@@ -77,7 +78,7 @@ class Matter:
         """The same of a robot: at all its stations, and where anything acts on tips these too."""
         carried = [f"change.{signal}" for array in CARRIED for signal in CHANGES[array]]
         most = max(chain.tree.stations, default=0)
-        further = {at_station(name, k) for name in carried for k in range(most)} | (TIPS if chain.acts_on_tips else frozenset())
+        further = {at_station(name, k) for name in carried for k in range(most)} | (TIPS if tips_acted_on(chain) else frozenset())
         return replace(self, results=self.results | further)
 
 
@@ -205,7 +206,7 @@ class SlopeLinks(Links):
 
 def is_offered(chain: Chain) -> bool:
     """Whether the slopes of a robot can be found so."""
-    return not (chain.closing.rows or chain.braked)
+    return not (chain.closing.overconstrained or chain.braked)
 
 
 PAIRS = 128

@@ -6,7 +6,7 @@ is two matrices (12, 12). How the tips move with each coordinate, the recursion 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from ..ir.program import Array, Program, Value
@@ -48,8 +48,8 @@ def coupled(chain: Chain) -> list[int]:
 
 
 def acting_maps(chain: Chain, constants: str = "constants") -> Program:
-    """``(q, v, tau, w_ext) -> (by_pose, by_twist, twist)``: the matrices of all that acts, one behind the other, and the
-    twists of the :func:`tips_acted_on`, each in its own axes.
+    """``(q, v, tau, w_ext) -> (by_pose, by_twist, twist)``: the matrices of all that acts, one behind the other, and
+    the twists of the :func:`tips_acted_on`, each in its own axes.
 
     With other inputs than torques also ``exerted``, with states of forces ``f_z``, as :func:`.linearisation` has them.
     Where loops close the tree ``m_eta`` and ``f_eta`` are given too; also ``vdot``, the wrenches ``acted`` on all tips,
@@ -58,7 +58,7 @@ def acting_maps(chain: Chain, constants: str = "constants") -> Program:
     diagonal ``coupling_bend`` (nv,) of what they change in f.
     """
 
-    def body(f: Functions, x: dict) -> Outputs:
+    def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> Outputs:
         q, v, tau, w_ext = (x[name] for name in ("q", "v", "tau", "w_ext"))
         out: dict = {}
         if chain.closing.rows:
@@ -79,13 +79,19 @@ def acting_maps(chain: Chain, constants: str = "constants") -> Program:
             f, maps = f.under_inputs(tau), []
         return out | _maps(f, q, v, w_ext, maps) | _given(f, q, v, tau)
 
-    return fuse(chain, "acting_maps", inputs(chain, "q v tau w_ext" + " m_eta f_eta" * bool(chain.closing.rows)), body, constants)
+    return fuse(
+        chain,
+        "acting_maps",
+        inputs(chain, "q v tau w_ext" + " m_eta f_eta" * bool(chain.closing.rows)),
+        body,
+        constants,
+    )
 
 
 def held_maps(chain: Chain, constants: str = "constants") -> Program:
-    """``(q, v, tau, w_ext, row) -> (by_pose, by_twist, twist, acted)``: the same at given forces of the rows of loops."""
+    """``(q, v, tau, w_ext, row) -> (by_pose, by_twist, twist, acted)``: the same at given forces of the loops' rows."""
 
-    def body(f: Functions, x: dict) -> Outputs:
+    def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> Outputs:
         q, v, tau, w_ext, forces = (x[name] for name in ("q", "v", "tau", "w_ext", "row"))
         f = f.under_inputs(tau)
         shut: LoopState = f.loop_state(q, v)
@@ -118,7 +124,7 @@ def wrenches_per_unit(chain: Chain, constants: str = "constants") -> Program:
     """``(q, v, tau) -> (wrench_input, wrench_state, wrench_row)``, as :func:`.wrench_program` has them, where there are
     any."""
 
-    def body(f: Functions, x: dict) -> Outputs:
+    def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> Outputs:
         q, v, tau = x["q"], x["v"], x["tau"]
         out: dict = {}
         if chain.inputs_load_links:

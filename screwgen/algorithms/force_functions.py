@@ -153,9 +153,7 @@ class ForceFunctions:
                 D_q = mx.multiply(by_pose[row], J) + mx.multiply(by_twist[row], V_q)
                 yield i, D_q, mx.multiply(by_twist[row], J)
 
-    def force_maps(
-        self, q: Sequence, v: Sequence, w_ext: Sequence
-    ) -> Iterator[tuple[tuple[int, ...], Array, Array]]:
+    def force_maps(self, q: Sequence, v: Sequence, w_ext: Sequence) -> Iterator[tuple[tuple[int, ...], Array, Array]]:
         """Of all that acts on tips: these tips, and the derivatives of the wrenches on them, each in its tip's axes.
 
         With m tips matrices (6 m, 6 m): with turn and shift of each tip in its own axes, and with its twist.

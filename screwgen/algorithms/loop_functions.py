@@ -99,7 +99,13 @@ class LoopFunctions:
         shut, forces = self.row_forces(q, v, outer)
         loads = outer.plus(shut.loads(forces))
         links, places = self.forward(q, v, *loads)
-        return self.chain.join(links, "qddot", "etaddot"), loads, shut, forces, lambda: shut.accelerations(links, places)
+        return (
+            self.chain.join(links, "qddot", "etaddot"),
+            loads,
+            shut,
+            forces,
+            lambda: shut.accelerations(links, places),
+        )
 
     def coupling_torques(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
         """The torques (n_joints,) with which couplings act on the joint axes, forces on those that slide."""

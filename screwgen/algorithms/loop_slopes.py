@@ -135,7 +135,7 @@ def _of_ends(
 
 
 def row_maps(
-    chain: Chain, state: LoopState, acc: Sequence[Array], forces: Sequence, apply: Apply
+    chain: Chain, state: LoopState, acc: Sequence[Array] | Mapping[int, Array], forces: Sequence, apply: Apply
 ) -> Iterator[tuple[list[int], tuple[int, int], dict[str, Array]]]:
     """Of every loop but couplings: the numbers of its rows, its two tips, and what :func:`slopes_of_rows` finds."""
     for loop in dict.fromkeys(c.loop for c in chain.closing.rows if not isinstance(c.row, Ratio)):

@@ -206,7 +206,7 @@ def entries() -> Program:
 
 @cache
 def tip_column(accelerating: bool) -> Program:
-    """A coordinate's changes at a tip that it carries, in the tip's axes R: ``J`` and ``V_q``, as of :class:`.TipChange`.
+    """A coordinate's changes at a tip that it carries, in the tip's axes R: ``J``, ``V_q`` as of :class:`.TipChange`.
 
     ``twist``: that of the tip in its own axes; ``a``, ``c_q`` and ``c_v`` are taken at its point. Where it is asked for
     ``acc_q``, ``acc_v`` (6): those of its acceleration.

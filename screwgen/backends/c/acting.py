@@ -56,7 +56,9 @@ def content(chain: Chain, baked: bool, place: Place) -> dict | None:
     return made | {
         "programs": [program, *([held] if held else [])],
         "rows": numbers,
-        "row_ends": [[tips.index(chain.closing.rows[k].first), tips.index(chain.closing.rows[k].second)] for k in numbers],
+        "row_ends": [
+            [tips.index(chain.closing.rows[k].first), tips.index(chain.closing.rows[k].second)] for k in numbers
+        ],
         "couplings": acting_programs.coupled(chain),
         "held": _printed(chain, held, place, ("at",)) if held else None,
         "tips": tips,
@@ -94,7 +96,10 @@ def units(chain: Chain, baked: bool, place: Place) -> dict | None:
     if not (chain.inputs_load_links or chain.n_force_states or rows):
         return None
     program = acting_programs.wrenches_per_unit(chain, "baked" if baked else "constants")
-    own = {"wrench_input": entries("work->by_input", 6 * chain.n), "wrench_state": entries("work->by_state", 6 * chain.n)}
+    own = {
+        "wrench_input": entries("work->by_input", 6 * chain.n),
+        "wrench_state": entries("work->by_state", 6 * chain.n),
+    }
     own |= {"wrench_row": entries("work->by_row", rows)} if rows else {}
     made = pieces(program, piece_place(chain, "kept", own, place), (*POINTERS, "kept"))
     return made | {"programs": [program]}

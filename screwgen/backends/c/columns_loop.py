@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from ...ir.program import Program
 from .code import Writer, trimmed
 
-Expressions = dict[str, str | tuple[int, str]]
+Expressions = Mapping[str, str | tuple[int, str]]
 """What signals are in C, with braces for the number of the entry."""
 
 

@@ -11,16 +11,14 @@ from dataclasses import dataclass, replace
 
 from ...algorithms import pair_slopes
 from ...algorithms.acting_programs import tips_acted_on
-from ...algorithms.linearise import places
 from ...algorithms.pair_slopes import PARTS
 from ...algorithms.station_names import at_station, plain
 from ...algorithms.structure import Passage
-from ...ir.program import Program
 from ...topology.chain import Chain
 from ...topology.tree import TIP
-from . import inputs
-from .acting import bears, rate_of
-from .columns_loop import Expressions, over_columns, starts
+from . import inputs, pair_ranges
+from .acting import rate_of
+from .columns_loop import over_columns, starts
 from .fields import node_fields, store_fields
 from .links import Links, Places
 from .runs import CFunction
@@ -38,9 +36,9 @@ CHANGES = {
 }
 """The arrays with a column for every rate, and the signals that fill those of a joint's and of the modes' rates."""
 COLUMN = {name: (of, part) for of, names in CHANGES.items() for name, part in zip(names, PARTS, strict=True)}
-MOVED: Expressions = {"U": (3, "a"), "by_q": (6, "c_q"), "by_v": (6, "c_v")}
+MOVED: dict[str, str | tuple[int, str]] = {"U": (3, "a"), "by_q": (6, "c_q"), "by_v": (6, "c_v")}
 """From which entry on a change is taken at the origin of the link that answers, and where that stands."""
-AT_LINK: Expressions = {name: f"moved->{name}[{{}}][j]" for name in ("a", "c_q", "c_v")}
+AT_LINK: dict[str, str | tuple[int, str]] = {name: f"moved->{name}[{{}}][j]" for name in ("a", "c_q", "c_v")}
 """What a change is there."""
 POINTS = ("origin", "velocity")
 """The arrays with three entries for every link."""
@@ -78,7 +76,9 @@ class Matter:
         """The same of a robot: at all its stations, and where anything acts on tips these too."""
         carried = [f"change.{signal}" for array in CARRIED for signal in CHANGES[array]]
         most = max(chain.tree.stations, default=0)
-        further = {at_station(name, k) for name in carried for k in range(most)} | (TIPS if tips_acted_on(chain) else frozenset())
+        further = {at_station(name, k) for name in carried for k in range(most)} | (
+            TIPS if tips_acted_on(chain) else frozenset()
+        )
         return replace(self, results=self.results | further)
 
 
@@ -125,7 +125,9 @@ class SlopePlaces(Places):
             return f"change->{what}[i][{k}]"
         if where == "change":
             array, part = COLUMN[plain(what)]
-            return self._entry(f"change->{array}", k, part, int(what.rpartition("_at")[2]) if plain(what) != what else TIP)
+            return self._entry(
+                f"change->{array}", k, part, int(what.rpartition("_at")[2]) if plain(what) != what else TIP
+            )
         if where == "block" and what in GEARS:
             return self._of_gear(what, k)
         if where == "block":
@@ -218,37 +220,32 @@ def is_chosen(chain: Chain, layout: str) -> bool:
     """Whether they are found so in the ``layout`` that is asked for."""
     if layout == "fused" or not is_offered(chain):
         return False
-    return layout == "modular" or _pairs(chain) > PAIRS
-
-
-def _pairs(chain: Chain) -> int:
-    """The pairs of coordinates of which one carries the other's link."""
-    return sum(_width(_own(chain, i)) * _width(ranges) for i, ranges in enumerate(_carrying(chain)))
-
-
-def _width(ranges: Sequence[tuple[int, ...]]) -> int:
-    return sum(end - first for first, end, *_ in ranges)
+    return layout == "modular" or pair_ranges.count_pairs(chain) > PAIRS
 
 
 def content(chain: Chain, baked: Sequence[dict] | None) -> dict:
     """The templates' context for the slopes of the generalised forces."""
-    own: Expressions = {name: f"{name}[{{}}]" for name in ("rows", "F_q", "F_v", "r", "v")}
+    own: dict = {name: f"{name}[{{}}]" for name in ("rows", "F_q", "F_v", "r", "v")}
     made, moved, pair = _phases(chain, baked, FORCES), pair_slopes.moved(), pair_slopes.entries()
-    carried = sum(map(_width, _carrying(chain)))
-    made["operations"] += carried * moved.operation_count + _pairs(chain) * pair.operation_count
-    return made | {"moved": over_columns(moved, own | AT_LINK), "entries": over_columns(pair, own | MOVED, column=rate_of(chain))}
+    carried = sum(map(pair_ranges.width, pair_ranges.carrying(chain)))
+    made["operations"] += carried * moved.operation_count + pair_ranges.count_pairs(chain) * pair.operation_count
+    return made | {
+        "moved": over_columns(moved, own | AT_LINK),
+        "entries": over_columns(pair, own | MOVED, column=rate_of(chain)),
+    }
 
 
 def wrenches(chain: Chain, baked: Sequence[dict] | None) -> dict:
     """The same for those of the joint wrenches."""
-    own: Expressions = {name: f"{name}[{{}}]" for name in ("rows", "R", "p", "r", "v")}
+    own: dict = {name: f"{name}[{{}}]" for name in ("rows", "R", "p", "r", "v")}
     rates = "$$_NVZ" if chain.n_internal else "$$_NV"
-    own_columns: Expressions = {
-        name: f"{name}[{{}} * {size} + j]" for name, size in (("with_q", "$$_NV"), ("with_v", rates), ("by_vdot", "$$_NV"))
+    own_columns: dict = {
+        name: f"{name}[{{}} * {size} + j]"
+        for name, size in (("with_q", "$$_NV"), ("with_v", rates), ("by_vdot", "$$_NV"))
     }
     made, moved = _phases(chain, baked, WRENCHES), pair_slopes.moved()
-    row, columns, behind = pair_slopes.wrench_rows(), pair_slopes.wrench_columns(), _behind(chain)
-    carried, carrying = (sum(map(_width, ranges)) for ranges in (_carrying(chain), behind))
+    row, columns, behind = pair_slopes.wrench_rows(), pair_slopes.wrench_columns(), pair_ranges.behind(chain)
+    carried, carrying = (sum(map(pair_ranges.width, ranges)) for ranges in (pair_ranges.carrying(chain), behind))
     made["operations"] += carried * (moved.operation_count + 6 * row.operation_count)
     made["operations"] += carrying * columns.operation_count
     return made | {
@@ -267,7 +264,8 @@ def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
     links = SlopeLinks(chain, baked, table=matter.table, store=store, node=node, matter=matter)
     phases = links.phases(matter.run)
     programs = [c.program for phase in phases for c in phase["classes"]]
-    carrying, own = _carrying(chain), [_own(chain, i) for i in range(chain.n)]
+    carried = pair_ranges.carried(chain)
+    carrying, own = pair_ranges.carrying(chain), [pair_ranges.own(chain, i) for i in range(chain.n)]
     return {
         "phases": phases,
         "programs": list(links.functions.values()),
@@ -276,8 +274,10 @@ def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
         "store": store_fields(programs, chain),
         "carrying": [pair for pairs in carrying for pair in pairs],
         "carrying_at": starts(carrying),
-        "columns": f"$$_NV + {_carried(chain)[-1] - chain.nv}" if _carried(chain)[-1] > chain.nv else "$$_NV",
-        "carried": _carried(chain)[:-1],
+        "columns": f"$$_NV + {pair_ranges.carried(chain)[-1] - chain.nv}"
+        if pair_ranges.carried(chain)[-1] > chain.nv
+        else "$$_NV",
+        "carried": pair_ranges.carried(chain)[:-1],
         "stations": bool(any(chain.tree.stations)),
         "own": [pair for pairs in own for pair in pairs],
         "own_at": starts(own),
@@ -286,57 +286,3 @@ def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
         "operations": sum(p.program.operation_count for p in links.passages(matter.run)),
         "distinct": programs,
     }
-
-
-def _own(chain: Chain, i: int) -> list[tuple[int, int]]:
-    """First and end of the rates of a link: of its joint and of its modes."""
-    return [(part.start, part.stop) for part in places(chain, i) if part.start < part.stop]
-
-
-def _carrying(chain: Chain) -> list[list[tuple[int, int, int]]]:
-    """The columns of changes of the coordinates that carry each link, sorted, adjacent ones as one.
-
-    First, end, and how far behind the columns of their rates: what a station carries changes with modes otherwise than
-    what the tip carries, and so has columns of its own.
-    """
-    out: list[list[tuple[int, int, int]]] = []
-    at = _carried(chain)
-    for i in range(chain.n):
-        parent, station = chain.tree.parents[i], chain.tree.at(i)
-        found: list[tuple[int, int, int]] = []
-        if parent >= 0:
-            joint, modes = places(chain, parent)
-            count = modes.stop - modes.start
-            first = modes.start if station == TIP else at[parent] + station * count
-            own = (joint.start, joint.stop, 0), (first, first + count, first - modes.start)
-            found = sorted([*out[parent], *(one for one in own if one[0] < one[1])])
-        out.append(_joined(found))
-    return out
-
-
-def _carried(chain: Chain) -> list[int]:
-    """Where the columns of a link's stations begin, and the end of all columns."""
-    out = [chain.nv]
-    for i, stations in enumerate(chain.tree.stations or [0] * chain.n):
-        out.append(out[-1] + stations * chain.keys[i].modes)
-    return out
-
-
-def _behind(chain: Chain) -> list[list[tuple[int, int]]]:
-    """The ranges of the rates of the links that each link carries; none of a floating base, which has no wrench."""
-    found: list[list[tuple[int, int]]] = [[] for _ in range(chain.n)]
-    for i in reversed(range(chain.n)):
-        if (parent := chain.tree.parents[i]) >= 0:
-            found[parent] += [*found[i], *_own(chain, i)]
-    joined = [_joined([(*one, 0) for one in sorted(own)]) if bears(key) else [] for key, own in zip(chain.keys, found, strict=True)]
-    return [[(first, end) for first, end, _ in own] for own in joined]
-
-
-def _joined(ranges: Sequence[tuple[int, int, int]]) -> list[tuple[int, int, int]]:
-    out: list[tuple[int, int, int]] = []
-    for first, end, shift in ranges:
-        if out and out[-1][1:] == (first, shift):
-            out[-1] = (out[-1][0], end, shift)
-        else:
-            out.append((first, end, shift))
-    return out

@@ -264,7 +264,7 @@ def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
     links = SlopeLinks(chain, baked, table=matter.table, store=store, node=node, matter=matter)
     phases = links.phases(matter.run)
     programs = [c.program for phase in phases for c in phase["classes"]]
-    carried = pair_ranges.carried(chain)
+    columns = pair_ranges.carried(chain)
     carrying, own = pair_ranges.carrying(chain), [pair_ranges.own(chain, i) for i in range(chain.n)]
     return {
         "phases": phases,
@@ -274,10 +274,8 @@ def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
         "store": store_fields(programs, chain),
         "carrying": [pair for pairs in carrying for pair in pairs],
         "carrying_at": starts(carrying),
-        "columns": f"$$_NV + {pair_ranges.carried(chain)[-1] - chain.nv}"
-        if pair_ranges.carried(chain)[-1] > chain.nv
-        else "$$_NV",
-        "carried": pair_ranges.carried(chain)[:-1],
+        "columns": f"$$_NV + {columns[-1] - chain.nv}" if columns[-1] > chain.nv else "$$_NV",
+        "carried": columns[:-1],
         "stations": bool(any(chain.tree.stations)),
         "own": [pair for pairs in own for pair in pairs],
         "own_at": starts(own),

@@ -207,7 +207,7 @@ TABLE: list[Mutant] = [
     M("line spring", "derivatives", ALGORITHMS + "force_functions.py",
       "D_q = mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q)", "D_q = mx.multiply(by_twist, V_q)"),
     M("rope", "derivatives", ALGORITHMS + "force_functions.py",
-      "D_q = mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q)", "D_q = mx.multiply(by_pose, J)"),
+      "D_q = mx.multiply(by_pose[row], J) + mx.multiply(by_twist[row], V_q)", "D_q = mx.multiply(by_pose[row], J)"),
     M("rope", "derivatives of steps", ALGORITHMS + "force_functions.py",
       "yield i, D_q, mx.multiply(by_twist, J)", "yield i, D_q, none"),
     M("push", "derivatives", ALGORITHMS + "force_functions.py",

@@ -48,10 +48,32 @@ def test_the_text_does_not_grow_with_the_chain():
         assert len(many.text(template)) - len(few.text(template)) < 3000
 
 
+def test_a_long_chain_that_a_spring_bends():
+    """From its first tip to its last: text that hardly grows, and what straight lines have."""
+    robots = [sprung(n) for n in (17, 34)]
+    few, many = (CProject(model_of(robot).chain, "0", derivatives=True) for robot in robots)
+    for template in ("derivatives.c", "wrench_derivatives.c"):
+        assert len(many.text(template)) < 1.6 * len(few.text(template))
+    found = [quick(model_of(sprung(6)), layout=layout, derivatives=True) for layout in ("fused", "modular")]
+    given = point(model_of(sprung(6)))
+    for straight, recursive in zip(*(c.linearise_wrenches(*given) for c in found), strict=True):
+        assert relative(recursive, straight) <= 1e-12
+
+
+def sprung(count: int) -> dict:
+    """A chain with a spring and damper between its first tip and its last."""
+    line = {"stiffness": 100.0, "damping": 1.0, "rest": 0.2}
+    ends = ["link0.tip", f"link{count - 1}.tip"]
+    return equal_links(count) | {"forces": [{"name": "spring", "between": ends, "line": line}]}
+
+
 def test_what_is_written_so():
-    """Many pairs of coordinates; of few whoever asks for modular code; none that a loop closes."""
+    """Many pairs of coordinates; of few whoever asks for modular code, with loops as without; none with brakes."""
     small, long, loop = (r.chain for r in (example("ella"), model_of(equal_links(17)), example("crane_loop")))
     layouts = "auto", "modular", "fused"
-    assert [is_chosen(small, layout) for layout in layouts] == [False, True, False]
+    for chain in (small, loop):
+        assert [is_chosen(chain, layout) for layout in layouts] == [False, True, False]
     assert [is_chosen(long, layout) for layout in layouts] == [True, True, False]
-    assert not any(is_chosen(loop, layout) for layout in layouts)
+    braked = equal_links(17)
+    braked["links"][0]["joint"]["brake"] = True
+    assert not any(is_chosen(model_of(braked).chain, layout) for layout in layouts)

@@ -144,28 +144,35 @@ class ForceFunctions:
 
         A tip may come several times. ``at``: the changes of the tips.
         """
-        tips, states, none = self._tips(q, v), self.remembered(v), mx.zeros(6, self.chain.nv)
+        tips = self._tips(q, v)
+        for ends, by_pose, by_twist in self.force_maps(q, v, w_ext):
+            J = np.vstack([at[i].J for i in ends])
+            V_q = np.vstack([at[i].twist_by_q(self.chain, self._twist(tips[i])[3:], v) for i in ends])
+            for n, i in enumerate(ends):
+                row = slice(6 * n, 6 * n + 6)
+                D_q = mx.multiply(by_pose[row], J) + mx.multiply(by_twist[row], V_q)
+                yield i, D_q, mx.multiply(by_twist[row], J)
+
+    def force_maps(self, q: Sequence, v: Sequence, w_ext: Sequence) -> Iterator[tuple[tuple[int, ...], Array, Array]]:
+        """Of all that acts on tips: these tips, and the derivatives of the wrenches on them, each in its tip's axes.
+
+        With m tips matrices (6 m, 6 m): with turn and shift of each tip in its own axes, and with its twist.
+        """
+        tips, states = self._tips(q, v), self.remembered(v)
         for i in self.chain.turned_wrenches:
             w = mx.rotate_wrench(tips[i].R.T, mx.array(list(w_ext[6 * i : 6 * i + 6])))
             turning = np.vstack([mx.hat(w[:3]), mx.hat(w[3:])])  # of Rᵀ w, by a turn of the tip in its own axes
-            yield i, mx.multiply(turning, at[i].J[:3]), none
+            yield (i,), np.hstack([turning, mx.zeros(6, 3)]), mx.zeros(6, 6)
         for force in self.chain.forces:
             found = self._applied(force, tips, programs.slopes(force.shape), states)
-            ends, own, J, V_q = self._ends(force, tips, v, at)
-            for i, row in ends:
-                by_pose, by_twist = (mx.array(found[x], (12, 12))[row, own] for x in ("by_pose", "by_twist"))
-                D_q = mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q)
-                yield i, D_q, mx.multiply(by_twist, J)
+            own = np.r_[tuple(slice(6 * n, 6 * n + 6) for n, i in enumerate(force.ends) if i is not None)]
+            by_pose, by_twist = (mx.array(found[x], (12, 12))[np.ix_(own, own)] for x in ("by_pose", "by_twist"))
+            yield tuple(force.tips), by_pose, by_twist
 
-    def _ends(
-        self, force: PlacedForce, tips: Sequence[Tip], v: Sequence, at: Mapping[int, TipChange]
-    ) -> tuple[list[tuple[int, slice]], Array, Array, Array]:
-        """The tips at which a force ends, with their places among 12 entries, all of these places; how poses and twists
-        of the tips change with q, and twists with v alike."""
-        ends = [(i, slice(6 * n, 6 * n + 6)) for n, i in enumerate(force.ends) if i is not None]
-        J = np.vstack([at[i].J for i, _ in ends])
-        V_q = np.vstack([at[i].twist_by_q(self.chain, self._twist(tips[i])[3:], v) for i, _ in ends])
-        return ends, np.r_[tuple(row for _, row in ends)], J, V_q
+    def tip_twists(self, q: Sequence, v: Sequence, at: Sequence[int]) -> list[Value]:
+        """The twists (6,) of some tips, each in its own axes."""
+        tips = self._tips(q, v)
+        return [x for i in at for x in self._twist(tips[i])]
 
     def wrenches_by_states(self, q: Sequence, v: Sequence) -> Iterator[tuple[slice, dict[int, Array]]]:
         """The states of every force that has any, and the derivatives (6, states) with them of the wrenches on tips in

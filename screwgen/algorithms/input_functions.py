@@ -166,6 +166,10 @@ class InputFunctions:
             return [[*joints, *(-x for x in pull)] for pull in self.pulls(q)]
         return [[-x for x in self._fallen(row, q, unit)[0]] for unit in self._units(row)]
 
+    def exerted_by_states(self, q: Sequence, v: Sequence) -> Rows:
+        """The derivatives (nv,) of the generalised forces that are needed with each internal state of forces."""
+        return [found for found, _ in self._needed(q, self.wrenches_per_state(q, v))]
+
     def _needed(self, q: Sequence, units: Iterator[list]) -> Iterator[tuple[list, list]]:
         """The loads at rest that each of some wrenches on all tips (6 n,) needs, as `_fallen`."""
         still, rest = self._still(), [0.0] * self.chain.nv

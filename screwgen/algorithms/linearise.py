@@ -27,7 +27,6 @@ from .force_functions import acting_tips
 from .functions import Functions
 from .inverse_slopes import Slopes as Slopes
 from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
-from .loops import Loads
 from .schedule import COLUMNS
 from .scope import OF_TIP
 from .signals import STORE
@@ -66,16 +65,12 @@ def closed_slopes(
 ) -> tuple[list, Slopes, RowChange]:
     """Of a robot with loops: ``vdot``, the same of ``f - J^T lambda`` at held forces lambda, and the loops' rows."""
     chain, f = f.chain, f.under_inputs(tau)
-    outer = Loads(tau, f.with_forces(q, v, w_ext))
-    shut, forces = f.row_forces(q, v, outer)
-    loads = outer.plus(shut.loads(forces))
-    links, places = f.forward(q, v, *loads)
-    vdot = chain.join(links, "qddot", "etaddot")
+    vdot, loads, shut, forces, accelerating = f.closed_motion(q, v, tau, w_ext)
     acting = list(dict.fromkeys((*tips(chain), *acting_tips(chain))))
     found, at = moving_slopes(f, (q, v, vdot, loads.w_ext, tau), acting, own)
     _take_forces(f, q, v, w_ext, found, at)
     with f.section("loops: their rows, and what their wrenches do as the tips move"):
-        rows, bend = loop_changes(chain, shut, shut.accelerations(links, places), forces, at, f.apply)
+        rows, bend = loop_changes(chain, shut, accelerating(), forces, at, f.apply)
         found.f_q = found.f_q - bend
     return vdot, found, rows
 

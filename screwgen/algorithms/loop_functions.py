@@ -91,6 +91,22 @@ class LoopFunctions:
             found = state.loads(forces)
         return given.plus(found)
 
+    def closed_motion(
+        self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence
+    ) -> tuple[list, loops.Loads, loops.LoopState, list, Callable[[], loops.TipsAndAxes]]:
+        """With loops closed: ``vdot``, all loads, the loops, their rows' forces, and how tips and axes accelerate."""
+        outer = loops.Loads(tau, self.with_forces(q, v, w_ext))
+        shut, forces = self.row_forces(q, v, outer)
+        loads = outer.plus(shut.loads(forces))
+        links, places = self.forward(q, v, *loads)
+        return (
+            self.chain.join(links, "qddot", "etaddot"),
+            loads,
+            shut,
+            forces,
+            lambda: shut.accelerations(links, places),
+        )
+
     def coupling_torques(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
         """The torques (n_joints,) with which couplings act on the joint axes, forces on those that slide."""
         state, forces = self.loop_forces(q, v, tau, w_ext)

@@ -128,6 +128,45 @@ def _of_ends(
 ) -> tuple[dict[str, Array], Array, Array, tuple[TipChange, TipChange]]:
     """What :func:`slopes_of_rows` finds of the rows ``own`` of one loop, with their numbers; ``J`` (12, nv) of its two
     tips, the derivative of their twists with q, and their changes."""
+    found, twists = _maps(state, own, acc, forces, apply)
+    moved = at[own[0][1].first], at[own[0][1].second]
+    V_q = np.vstack([end.twist_by_q(chain, V[3:]) for end, V in zip(moved, twists, strict=True)])
+    return found, np.vstack([end.J for end in moved]), V_q, moved
+
+
+def row_maps(
+    chain: Chain, state: LoopState, acc: Sequence[Array] | Mapping[int, Array], forces: Sequence, apply: Apply
+) -> Iterator[tuple[list[int], tuple[int, int], dict[str, Array]]]:
+    """Of every loop but couplings: the numbers of its rows, its two tips, and what :func:`slopes_of_rows` finds."""
+    for loop in dict.fromkeys(c.loop for c in chain.closing.rows if not isinstance(c.row, Ratio)):
+        own = [(k, c) for k, c in enumerate(chain.closing.rows) if c.loop == loop]
+        yield [k for k, _ in own], (own[0][1].first, own[0][1].second), _maps(state, own, acc, forces, apply)[0]
+
+
+def coupling_changes(
+    chain: Chain, state: LoopState, acc: Vector, forces: Sequence, apply: Apply
+) -> tuple[list[int], list[Array], Array]:
+    """Of couplings: the numbers of their rows, ``J`` and its derivatives (rows, nv), and what they bend (nv, nv)."""
+    numbers: list[int] = []
+    rows: list[list[Array]] = [[], [], []]
+    bend = mx.zeros(chain.nv, chain.nv)
+    for k, coupling in enumerate(chain.closing.rows):
+        if isinstance(coupling.row, Ratio):
+            numbers.append(k)
+            _add_coupling(chain, coupling, rows)
+            if coupling.row.relation is not None:
+                _bend_coupling(chain, state, coupling, acc, forces[k], rows, bend, apply)
+    return numbers, [np.vstack([mx.zeros(0, chain.nv), *x]) for x in rows], bend
+
+
+def _maps(
+    state: LoopState,
+    own: Sequence[tuple[int, ClosingRow]],
+    acc: Sequence[Array] | Mapping[int, Array],
+    forces: Sequence,
+    apply: Apply,
+) -> tuple[dict[str, Array], list[Array]]:
+    """What :func:`slopes_of_rows` finds of the rows ``own`` of one loop, and the twists of its tips in their axes."""
     first, second = own[0][1].first, own[0][1].second
     a, b = state.tips[first], state.tips[second]
     twists = [mx.rotate_wrench(tip.R.T, tip.twist) for tip in (a, b)]
@@ -135,10 +174,7 @@ def _of_ends(
     given |= {"V_A": list(twists[0]), "V_B": list(twists[1]), "forces": [forces[k] for k, _ in own]}
     given |= {f"acc_{x}": list(mx.rotate_wrench(t.R.T, acc[i])) for x, t, i in (("A", a, first), ("B", b, second))}
     program = slopes_of_rows(tuple(replace(c, loop=0, first=0, second=1, name="") for _, c in own))
-    found = {k: mx.array(x, (-1, 12)) for k, x in apply(second, 0, program, given).items()}
-    moved = at[first], at[second]
-    V_q = np.vstack([end.twist_by_q(chain, V[3:]) for end, V in zip(moved, twists, strict=True)])
-    return found, np.vstack([end.J for end in moved]), V_q, moved
+    return {k: mx.array(x, (-1, 12)) for k, x in apply(second, 0, program, given).items()}, twists
 
 
 def _add_coupling(chain: Chain, coupling: ClosingRow, rows: list[list[Array]]) -> None:

@@ -19,12 +19,15 @@ from functools import cache
 import numpy as np
 
 from ..ir.program import Array, Program, Tracer, Vector
+from ..topology.tree import TIP
 from . import matrices as mx
 from . import rows as rw
+from .elastic_travels import GEAR_SLOPES
 from .functions import SENSITIVITY
 from .loop_slopes import MOTION
 from .schedule import OUTWARD, Algorithm, Phase
 from .scope import Scope
+from .station_names import edge_name
 from .travels import INERTIA
 
 PARTS = {"q": ("q", "qdot"), "eta": ("eta", "etadot")}
@@ -52,17 +55,24 @@ def spread(s: Scope) -> None:
                 s.write(f"change.F_{name}", turned(s.read(f"w.F_{name}")))
     _write_blocks(s)
     _write_wrenches(s, R, r)
+    for section in s.sections:
+        _write_carried(s, section, R, r, v)
+
+
+def _write_carried(s: Scope, section: Scope, R: Array, r: Vector, v: Vector) -> None:
+    """The changes of what the tip carries, or a station, with the modes; its place and velocity."""
+    omega, turned, number = s.read("w.omega_i"), lambda x: rotated(R, x), getattr(section, "number", TIP)
     with s.step("changes of the motion of what the tip carries with the modes and their rates, in inertial axes"):
-        R_T, r_T, udot = s.read("w.R_T"), s.read("w.r_T"), s.read("w.udot_T")
-        omega_T = omega + s.read("w.omega_s")
+        R_T, r_T, udot = (section.read(f"w.{name}") for name in ("R_T", "r_T", "udot_T"))
+        omega_T = omega + section.read("w.omega_s")
         r, v = r + mx.multiply(R, r_T), v + mx.multiply(R, mx.cross(omega, r_T) + udot)
-        s.write("change.U_eta", turned(s.read("w.E")))
+        s.write(edge_name("change.U_eta", number), turned(section.read("w.E")))
         for name in PARTS["eta"]:
-            s.write(f"change.by_{name}", turned(_change(omega_T, s.read(f"w.tip_{name}"))))
-    _write_point(s, "eta", r, v)
-    s.write("tip.R", mx.multiply(R, R_T))
-    s.write("tip.r", r)
-    s.write("tip.rdot", v)
+            s.write(edge_name(f"change.by_{name}", number), turned(_change(omega_T, section.read(f"w.tip_{name}"))))
+    _write_point(s, "eta", r, v, number)
+    section.write("tip.R", mx.multiply(R, R_T))
+    section.write("tip.r", r)
+    section.write("tip.rdot", v)
 
 
 def _placed(s: Scope) -> tuple[Array, Array, Array]:
@@ -78,11 +88,11 @@ def _placed(s: Scope) -> tuple[Array, Array, Array]:
         return R, s.name("r", r), s.read("base.rdot") + mx.multiply(R_P, slip) - mx.multiply(R, swing)
 
 
-def _write_point(s: Scope, part: str, r: Vector, v: Vector) -> None:
+def _write_point(s: Scope, part: str, r: Vector, v: Vector, number: int = TIP) -> None:
     """The point at which the changes of a part of the coordinates are taken, for each of them, and its velocity."""
     count = s.key.joints if part == "q" else s.key.modes
     for name, x in (("r", r), ("v", v)):
-        s.write(f"change.{name}_{part}", np.tile(mx.array(list(x), (3, 1)), (1, count)))
+        s.write(edge_name(f"change.{name}_{part}", number), np.tile(mx.array(list(x), (3, 1)), (1, count)))
 
 
 def rotated(R: Array, x: Array) -> Array:
@@ -126,6 +136,8 @@ def _write_blocks(s: Scope) -> None:
             found["M_q_q"] = found["M_q_q"] + mx.diagonal(s.read(f"w.{INERTIA}"))
         for name, values in found.items():
             s.write(f"block.{name}", values)
+        for name in GEAR_SLOPES if s.key.elastic_travels else ():
+            s.write(f"block.{name}", s.read(f"w.{name}"))
 
 
 def _write_wrenches(s: Scope, R: Array, r: Array) -> None:
@@ -141,7 +153,7 @@ def _write_wrenches(s: Scope, R: Array, r: Array) -> None:
         own |= {f"eta_{part}": rw.shifted(-r_B, s.read(f"w.F_{name}")) for part, name in of_modes.items()}
         own |= {f"{part}_vdot": rw.shifted(-r_B, values) for part, values in by_vdot.items()}
         own |= {"rows": turned(_rows(s.read("w.omega_i"), rows)).T}
-        if s.key.floats:
+        if s.key.floats and not s.key.joint.given:
             own = {name: mx.zeros(*values.shape) for name, values in own.items()}
         own |= {"R": R, "point": r + mx.multiply(R, r_B), "wrench": s.read("w.w_J")}
         for name, values in own.items():
@@ -190,6 +202,47 @@ def entries() -> Program:
         "v_column": mx.dot(x["F_v"], x["U"]),
     }
     return tracer.program("entries", sizes, {name: [value] for name, value in out.items()})
+
+
+@cache
+def tip_column(accelerating: bool) -> Program:
+    """A coordinate's changes at a tip that it carries, in the tip's axes R: ``J``, ``V_q`` as of :class:`.TipChange`.
+
+    ``twist``: that of the tip in its own axes; ``a``, ``c_q`` and ``c_v`` are taken at its point. Where it is asked for
+    ``acc_q``, ``acc_v`` (6): those of its acceleration.
+    """
+    tracer = Tracer()
+    sizes = {"U": 3, "a": 3, "by_q": 6, "by_v": 6, "c_q": 3, "c_v": 3, "R": 9, "twist": 6}
+    sizes = sizes if accelerating else {**{k: n for k, n in sizes.items() if k not in ("by_v", "c_q")}, "by_q": 3}
+    x = {name: mx.array(list(tracer.input(name, n))) for name, n in sizes.items()}
+    inward = lambda values: mx.multiply(x["R"].reshape(3, 3).T, values)  # noqa: E731
+    turn, omega, v = inward(x["U"]), x["twist"][:3], x["twist"][3:]
+    out = {"J": [*turn, *inward(x["a"])]}
+    out["V_q"] = [*inward(x["by_q"][:3]), *(0.5 * inward(x["c_v"]) + mx.cross(v, turn))]
+    for k in "qv" if accelerating else "":
+        rate, change = inward(x[f"by_{k}"][:3]), inward(x[f"by_{k}"][3:])
+        out[f"acc_{k}"] = [*(change - mx.cross(omega, rate)), *inward(x[f"c_{k}"])]
+    return tracer.program("tip_column", sizes, out)
+
+
+@cache
+def ball_row() -> Program:
+    """What a row of ``V_q`` has besides in the columns of a ball joint with the rates ``w``, of its row of ``J``: see
+    :meth:`.TipChange.twist_by_q`."""
+    tracer = Tracer()
+    J, w = (mx.array(list(tracer.input(name, 3))) for name in ("J", "w"))
+    return tracer.program("ball_row", {"J": 3, "w": 3}, {"V_q": list(-0.5 * mx.multiply(mx.hat(w).T, J))})
+
+
+@cache
+def wrench_change() -> Program:
+    """Less the change of a wrench on a tip, in the tip's axes ``R_T`` at ``r_T``: at p in the axes R of a joint."""
+    tracer = Tracer()
+    sizes = {"R": 9, "p": 3, "R_T": 9, "r_T": 3, "D_q": 6, "D_v": 6}
+    x = {name: mx.array(list(tracer.input(name, n))) for name, n in sizes.items()}
+    R, R_T, arm = x["R"].reshape(3, 3), x["R_T"].reshape(3, 3), x["r_T"] - x["p"]
+    felt = lambda w: -mx.rotate_wrench(R.T, mx.shift_wrench(arm, mx.rotate_wrench(R_T, w)))  # noqa: E731
+    return tracer.program("wrench_change", sizes, {f"with_{k}": list(felt(x[f"D_{k}"])) for k in "qv"})
 
 
 @cache

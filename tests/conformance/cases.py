@@ -15,7 +15,7 @@ from conformance.drawn import drawn
 from conformance.features import FACTORS, Row, features
 from conformance.judge import Judge
 from screwgen import Model
-from screwgen.backends.c.recursive_slopes import is_offered
+from screwgen.backends.c.recursive_slopes import is_chosen, is_offered
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.runtime.compiled import Compiled
 
@@ -107,8 +107,9 @@ class Case:
 
     @property
     def differentiated(self) -> list[Compiled]:
-        """The C with derivatives, in every layout of these that the robot can have."""
-        layouts = ("auto", "modular") if is_offered(self.model.chain) else ("auto",)
+        """The C with derivatives, by recursion too where the robot can have them so."""
+        chain = self.model.chain
+        layouts = ("auto", "modular") if is_offered(chain) and not is_chosen(chain, "auto") else ("auto",)
         return [self.c(layout, derivatives=True) for layout in layouts]
 
     # ------------------------------------------------------------------------------- changes of coordinates

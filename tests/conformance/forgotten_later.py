@@ -63,4 +63,14 @@ LATER: list[Mutant] = [
       "        tau[..., problem.model.n_joints :] = 0.0\n        with"),
     M("spring", "plan", "screwgen/planning/members.py",
       "torque[self.drives.given] = 0.0", "torque[:] = 0.0"),
+    # ----------------------------------------------------------------------------------------- slopes by recursion
+    M("line spring", "derivatives", C + "acting.jinja",
+      "                    out->vdot_v[i][k] -= J[i] * work->acting.D_v[n][k];\n", ""),
+    M("welded loop", "derivatives", C + "acting.jinja", " + unit * tip->acc_q[n % 6][i]", ""),
+    M("ball", "derivatives", C + "acting.jinja",
+      "{% if acting.balls %}\n    for (k = 0; k <", "{% if false %}\n    for (k = 0; k <"),
+    M("elastic four-bar", "derivatives", "screwgen/backends/c/recursive_slopes.py",
+      '"gear_back": ("f_v", "axis", "gear")', '"gear_back": ("f_v", "gear", "axis")'),
+    M("station", "derivatives", "screwgen/backends/c/pair_ranges.py",
+      "modes.start if station == TIP else at[parent] + station * count", "modes.start"),
 ]  # fmt: skip

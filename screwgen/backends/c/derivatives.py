@@ -11,7 +11,7 @@ from ...algorithms.wrench_slopes import wrench_program
 from ...errors import TargetWarning
 from ...integrators.method import Method
 from ...topology.chain import Chain
-from . import brakes, compliant, recursive_slopes, step_derivatives
+from . import acting, brakes, compliant, recursive_slopes, step_derivatives
 from .code import Place, entries, singular
 from .pieces import piece_place, pieces
 from .stumpff_slopes import slopes
@@ -44,7 +44,8 @@ def content(
         + rows * (nv * rows + (4 * nv + 2 * rows) * (2 * nv + chain.n_tau))
     )
     recursion = once(_recursion, chain, baked is not None) if recursive_slopes.is_chosen(chain, layout) else None
-    made = _by_recursion(recursion) if recursion else _in_pieces(chain, baked is not None, place)
+    acts = once(acting.content, chain, baked is not None, place) if recursion else None
+    made = _by_recursion(recursion, acts) if recursion else _in_pieces(chain, baked is not None, place)
     later = compliant.slopes(chain, baked is not None, place)
     per_stage = made["operations"] + solve
     made |= step_derivatives.content(chain, methods, per_stage, later["count"] if later else per_stage)
@@ -53,12 +54,15 @@ def content(
     return made | {
         "compliant": later,
         "recursion": recursion,
+        "acting": acts,
         "solve": solve,
         "rows": rows,
         "stumpff": slopes(made["programs"], bool(chain.curved)),
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
-        "wrenches": _wrenches_by_recursion(chain, baked) if recursion else _wrenches(chain, baked is not None, place),
+        "wrenches": _wrenches_by_recursion(chain, baked, place)
+        if recursion
+        else _wrenches(chain, baked is not None, place),
     }
 
 
@@ -67,9 +71,11 @@ def _recursion(chain: Chain, baked: bool) -> dict:
     return recursive_slopes.content(chain, once(fused.baked, chain) if baked else None)
 
 
-def _by_recursion(recursion: Mapping) -> dict:
+def _by_recursion(recursion: Mapping, acts: Mapping | None) -> dict:
     """Programs and operations of the slopes where links have functions of their own."""
-    return {"programs": recursion["distinct"], "operations": recursion["operations"]}
+    found = [{"programs": recursion["distinct"], "operations": recursion["operations"]}, *([acts] if acts else [])]
+    programs = [program for one in found for program in one["programs"]]
+    return {"programs": programs, "operations": sum(one["operations"] for one in found)}
 
 
 def _in_pieces(chain: Chain, baked: bool, place: Place) -> dict:
@@ -100,11 +106,13 @@ def _pieces(chain: Chain, baked: bool, place: Place) -> dict:
     return made | {"programs": [program]}
 
 
-def _wrenches_by_recursion(chain: Chain, baked: Sequence[dict] | None) -> dict:
+def _wrenches_by_recursion(chain: Chain, baked: Sequence[dict] | None, place: Place) -> dict:
     """The derivatives of joint wrenches where links have functions of their own."""
     found = recursive_slopes.wrenches(chain, baked)
     own = {"operations": found["operations"], "product": _products_of_wrenches(chain)}
-    return own | {"recursion": found, "stumpff": slopes(found["distinct"])}
+    units = acting.units(chain, baked is not None, place)
+    programs = [*found["distinct"], *(units["programs"] if units else [])]
+    return own | {"recursion": found, "units": units, "stumpff": slopes(programs)}
 
 
 def _products_of_wrenches(chain: Chain) -> int:

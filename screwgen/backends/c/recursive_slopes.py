@@ -7,21 +7,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ...algorithms import pair_slopes
-from ...algorithms.linearise import places
+from ...algorithms.acting_programs import tips_acted_on
 from ...algorithms.pair_slopes import PARTS
+from ...algorithms.station_names import at_station, plain
 from ...algorithms.structure import Passage
-from ...ir.program import Program
 from ...topology.chain import Chain
-from .code import Writer, trimmed
+from ...topology.tree import TIP
+from . import inputs, pair_ranges
+from .acting import rate_of
+from .columns_loop import over_columns, starts
 from .fields import node_fields, store_fields
 from .links import Links, Places
 from .runs import CFunction
-
-Expressions = dict[str, str | tuple[int, str]]
-"""What signals are in C, with braces for the number of the entry."""
 
 CHANGES = {
     "U": ("U_q", "U_eta"),
@@ -36,9 +36,9 @@ CHANGES = {
 }
 """The arrays with a column for every rate, and the signals that fill those of a joint's and of the modes' rates."""
 COLUMN = {name: (of, part) for of, names in CHANGES.items() for name, part in zip(names, PARTS, strict=True)}
-MOVED: Expressions = {"U": (3, "a"), "by_q": (6, "c_q"), "by_v": (6, "c_v")}
+MOVED: dict[str, str | tuple[int, str]] = {"U": (3, "a"), "by_q": (6, "c_q"), "by_v": (6, "c_v")}
 """From which entry on a change is taken at the origin of the link that answers, and where that stands."""
-AT_LINK: Expressions = {name: f"moved->{name}[{{}}][j]" for name in ("a", "c_q", "c_v")}
+AT_LINK: dict[str, str | tuple[int, str]] = {name: f"moved->{name}[{{}}][j]" for name in ("a", "c_q", "c_v")}
 """What a change is there."""
 POINTS = ("origin", "velocity")
 """The arrays with three entries for every link."""
@@ -46,6 +46,14 @@ BLOCKS = {"M": "work->M", "f_q": "out->vdot_q", "f_v": "out->vdot_v"}
 """The matrices that hold the blocks of single links."""
 OF_JOINT = {"q": "out->wrench_q[i][{}]", "v": "out->wrench_v[i][{}]", "vdot": "work->by_vdot[6 * i + {}]"}
 """The rows of a joint's wrench in its derivatives."""
+GEARS = {
+    "gear_M": ("M", "gear", "axis"),
+    "gear_q": ("f_q", "gear", "axis"),
+    "gear_qdot": ("f_v", "gear", "axis"),
+    "gear_back": ("f_v", "axis", "gear"),
+    "gear_own": ("f_v", "gear", "gear"),
+}
+"""What an elastic gear of a transmission adds, by the names of its slopes: matrix, row and column."""
 FIRST = {"q": "joint", "eta": "mode"}
 """The parameters that say where the rates of a joint and of the modes begin."""
 
@@ -61,7 +69,17 @@ class Matter:
 
     @property
     def table(self) -> dict[str, CFunction]:
-        return {self.run: CFunction(pair_slopes.SLOPES, "The slopes of every link.", self.results, apart=True)}
+        said = "The slopes of every link."
+        return {self.run: CFunction(pair_slopes.SLOPES, said, self.results, apart=True, each_tip=True)}
+
+    def of(self, chain: Chain) -> Matter:
+        """The same of a robot: at all its stations, and where anything acts on tips these too."""
+        carried = [f"change.{signal}" for array in CARRIED for signal in CHANGES[array]]
+        most = max(chain.tree.stations, default=0)
+        further = {at_station(name, k) for name in carried for k in range(most)} | (
+            TIPS if tips_acted_on(chain) else frozenset()
+        )
+        return replace(self, results=self.results | further)
 
 
 def _changes(*arrays: str) -> list[str]:
@@ -69,12 +87,16 @@ def _changes(*arrays: str) -> list[str]:
 
 
 POINTS_FOUND = [f"change.{name}" for name in POINTS]
+CARRIED = ("U", "by_q", "by_v", "r_c", "v_c")
+"""The arrays that have columns for what stations carry, behind those of the rates."""
+TIPS = frozenset(("tip.R", "tip.r", "tip.rdot"))
 FORCES = Matter(
     "slopes",
     frozenset(
         _changes(*(name for name in CHANGES if name != "F_a"))
         + POINTS_FOUND
         + [f"block.{matrix}_{a}_{b}" for matrix in BLOCKS for a in PARTS for b in PARTS]
+        + [f"block.{name}" for name in GEARS]
     ),
     "linearise_work",
     "derivatives",
@@ -102,8 +124,12 @@ class SlopePlaces(Places):
         if where == "change" and what in POINTS:
             return f"change->{what}[i][{k}]"
         if where == "change":
-            array, part = COLUMN[what]
-            return self._entry(f"change->{array}", k, part)
+            array, part = COLUMN[plain(what)]
+            return self._entry(
+                f"change->{array}", k, part, int(what.rpartition("_at")[2]) if plain(what) != what else TIP
+            )
+        if where == "block" and what in GEARS:
+            return self._of_gear(what, k)
         if where == "block":
             matrix, rows, part = _block(what)
             row, column = divmod(k, self._count(part))
@@ -121,9 +147,21 @@ class SlopePlaces(Places):
             return f"out->wrench[i][{k}]"
         return f"work->joint[i].{what}" + (f"[{k // 9}][{k % 9}]" if what == "rows" else f"[{k}]")
 
-    def _entry(self, array: str, k: int, part: str) -> str:
-        row, column = divmod(k, self._count(part))
+    def _entry(self, array: str, k: int, part: str, station: int = TIP) -> str:
+        count = self._count(part)
+        row, column = divmod(k, count)
+        if station != TIP:
+            return f"{array}[{row}][carried + {station * count + column}]"
         return f"{array}[{row}][{FIRST[part]} + {column}]"
+
+    def _of_gear(self, what: str, k: int) -> str | None:
+        """What an elastic gear of a transmission adds to its row, or to its column in the row of the axis."""
+        key = self.links.chain.keys[self.passage.link]
+        if key.added_axes[k] not in key.elastic_travels:
+            return None
+        matrix, row, column = GEARS[what]
+        places = {"gear": f"gear + {k}", "axis": f"joint + {key.added_axes[k]}"}
+        return f"{BLOCKS[matrix]}[{places[row]}][{places[column]}]"
 
     def _count(self, part: str) -> int:
         """How many rates the link's joint or its modes have."""
@@ -131,7 +169,7 @@ class SlopePlaces(Places):
         return key.joints if part == "q" else key.modes
 
     def names(self) -> set[str]:
-        return super().names() | {"change", "i", "joint", "mode", "work", "out"}
+        return super().names() | {"change", "i", "joint", "mode", "carried", "gear", "work", "out"}
 
     def arguments(self) -> tuple[list[str], list[str]]:
         arguments, values = super().arguments()
@@ -144,6 +182,8 @@ class SlopePlaces(Places):
             "i": ("int i", "i"),
             "joint": ("int joint", begin),
             "mode": ("int mode", "$$_NV - $$_NMODES + e"),
+            "carried": ("int carried", "CARRIED[i]"),
+            "gear": ("int gear", "$$_NV - $$_NINNER + t"),
         }
         used = [pair for name, pair in offered.items() if re.search(rf"\b{name}\b(?!\[i)", text)]
         return arguments + [a for a, _ in used], values + [b for _, b in used]
@@ -168,8 +208,7 @@ class SlopeLinks(Links):
 
 def is_offered(chain: Chain) -> bool:
     """Whether the slopes of a robot can be found so."""
-    further = chain.closing.rows or chain.acts_on_tips or chain.other_inputs or chain.n_internal
-    return not (further or any(chain.tree.stations) or chain.elastic_travels)
+    return not (chain.closing.overconstrained or chain.braked)
 
 
 PAIRS = 128
@@ -181,52 +220,52 @@ def is_chosen(chain: Chain, layout: str) -> bool:
     """Whether they are found so in the ``layout`` that is asked for."""
     if layout == "fused" or not is_offered(chain):
         return False
-    return layout == "modular" or _pairs(chain) > PAIRS
-
-
-def _pairs(chain: Chain) -> int:
-    """The pairs of coordinates of which one carries the other's link."""
-    return sum(_width(_own(chain, i)) * _width(ranges) for i, ranges in enumerate(_carrying(chain)))
-
-
-def _width(ranges: Sequence[tuple[int, int]]) -> int:
-    return sum(end - first for first, end in ranges)
+    return layout == "modular" or pair_ranges.count_pairs(chain) > PAIRS
 
 
 def content(chain: Chain, baked: Sequence[dict] | None) -> dict:
     """The templates' context for the slopes of the generalised forces."""
-    own: Expressions = {name: f"{name}[{{}}]" for name in ("rows", "F_q", "F_v", "r", "v")}
+    own: dict = {name: f"{name}[{{}}]" for name in ("rows", "F_q", "F_v", "r", "v")}
     made, moved, pair = _phases(chain, baked, FORCES), pair_slopes.moved(), pair_slopes.entries()
-    carried = sum(map(_width, _carrying(chain)))
-    made["operations"] += carried * moved.operation_count + _pairs(chain) * pair.operation_count
-    return made | {"moved": _loop(moved, own | AT_LINK), "entries": _loop(pair, own | MOVED)}
+    carried = sum(map(pair_ranges.width, pair_ranges.carrying(chain)))
+    made["operations"] += carried * moved.operation_count + pair_ranges.count_pairs(chain) * pair.operation_count
+    return made | {
+        "moved": over_columns(moved, own | AT_LINK),
+        "entries": over_columns(pair, own | MOVED, column=rate_of(chain)),
+    }
 
 
 def wrenches(chain: Chain, baked: Sequence[dict] | None) -> dict:
     """The same for those of the joint wrenches."""
-    own: Expressions = {name: f"{name}[{{}}]" for name in ("rows", "R", "p", "r", "v")}
-    own_columns: Expressions = {name: f"{name}[{{}} * $$_NV + j]" for name in ("with_q", "with_v", "by_vdot")}
+    own: dict = {name: f"{name}[{{}}]" for name in ("rows", "R", "p", "r", "v")}
+    rates = "$$_NVZ" if chain.n_internal else "$$_NV"
+    own_columns: dict = {
+        name: f"{name}[{{}} * {size} + j]"
+        for name, size in (("with_q", "$$_NV"), ("with_v", rates), ("by_vdot", "$$_NV"))
+    }
     made, moved = _phases(chain, baked, WRENCHES), pair_slopes.moved()
-    row, columns, behind = pair_slopes.wrench_rows(), pair_slopes.wrench_columns(), _behind(chain)
-    carried, carrying = (sum(map(_width, ranges)) for ranges in (_carrying(chain), behind))
+    row, columns, behind = pair_slopes.wrench_rows(), pair_slopes.wrench_columns(), pair_ranges.behind(chain)
+    carried, carrying = (sum(map(pair_ranges.width, ranges)) for ranges in (pair_ranges.carrying(chain), behind))
     made["operations"] += carried * (moved.operation_count + 6 * row.operation_count)
     made["operations"] += carrying * columns.operation_count
     return made | {
         "behind": [pair for pairs in behind for pair in pairs],
-        "behind_at": _starts(behind),
-        "moved": _loop(moved, own | AT_LINK),
-        "rows": _loop(row, own | MOVED),
-        "columns": _loop(columns, own | own_columns | {"r_F": "work->r_F[{}][j]"}),
+        "behind_at": starts(behind),
+        "moved": over_columns(moved, own | AT_LINK),
+        "rows": over_columns(row, own | MOVED, column=rate_of(chain)),
+        "columns": over_columns(columns, own | own_columns | {"r_F": "work->r_F[{}][j]"}),
     }
 
 
 def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
     """The phases of links, and the ranges of rates over which loops over pairs run."""
+    matter = matter.of(chain)
     store, node = f"{matter.run}_link", f"{matter.run}_node"
     links = SlopeLinks(chain, baked, table=matter.table, store=store, node=node, matter=matter)
     phases = links.phases(matter.run)
     programs = [c.program for phase in phases for c in phase["classes"]]
-    carrying, own = _carrying(chain), [_own(chain, i) for i in range(chain.n)]
+    columns = pair_ranges.carried(chain)
+    carrying, own = pair_ranges.carrying(chain), [pair_ranges.own(chain, i) for i in range(chain.n)]
     return {
         "phases": phases,
         "programs": list(links.functions.values()),
@@ -234,68 +273,14 @@ def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
         "node": node_fields(programs),
         "store": store_fields(programs, chain),
         "carrying": [pair for pairs in carrying for pair in pairs],
-        "carrying_at": _starts(carrying),
+        "carrying_at": starts(carrying),
+        "columns": f"$$_NV + {columns[-1] - chain.nv}" if columns[-1] > chain.nv else "$$_NV",
+        "carried": columns[:-1],
+        "stations": bool(any(chain.tree.stations)),
         "own": [pair for pairs in own for pair in pairs],
-        "own_at": _starts(own),
+        "own_at": starts(own),
+        "gathers": bool(inputs.scratch(chain)),
         "sparse": bool(not chain.tree.is_chain or chain.n_added),
         "operations": sum(p.program.operation_count for p in links.passages(matter.run)),
         "distinct": programs,
     }
-
-
-def _own(chain: Chain, i: int) -> list[tuple[int, int]]:
-    """First and end of the rates of a link: of its joint and of its modes."""
-    return [(part.start, part.stop) for part in places(chain, i) if part.start < part.stop]
-
-
-def _carrying(chain: Chain) -> list[list[tuple[int, int]]]:
-    """The ranges of the rates of the links that carry each link, sorted, adjacent ones as one."""
-    out: list[list[tuple[int, int]]] = []
-    for i in range(chain.n):
-        parent = chain.tree.parents[i]
-        found = sorted([*out[parent], *_own(chain, parent)]) if parent >= 0 else []
-        out.append(_joined(found))
-    return out
-
-
-def _behind(chain: Chain) -> list[list[tuple[int, int]]]:
-    """The ranges of the rates of the links that each link carries; none of a floating base, which has no wrench."""
-    found: list[list[tuple[int, int]]] = [[] for _ in range(chain.n)]
-    for i in reversed(range(chain.n)):
-        if (parent := chain.tree.parents[i]) >= 0:
-            found[parent] += [*found[i], *_own(chain, i)]
-    return [[] if key.floats else _joined(sorted(own)) for key, own in zip(chain.keys, found, strict=True)]
-
-
-def _joined(ranges: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
-    out: list[tuple[int, int]] = []
-    for first, end in ranges:
-        if out and out[-1][1] == first:
-            out[-1] = (out[-1][0], end)
-        else:
-            out.append((first, end))
-    return out
-
-
-def _starts(lists: Sequence[Sequence]) -> list[int]:
-    """Where the entries of each list begin in all of them together, and their end."""
-    out = [0]
-    for entries in lists:
-        out.append(out[-1] + len(entries))
-    return out
-
-
-def _loop(program: Program, own: Expressions) -> list[str]:
-    """The body of a loop over coordinates j; ``own``: the expressions of signals that are no columns of changes."""
-
-    def place(name: str, k: int) -> str:
-        if name not in own and name in program.outputs:
-            return f"{name}[j]"
-        text = own.get(name, f"change->{name}[{{}}][j]")
-        if isinstance(text, str):
-            return text.format(k)
-        first, shifted = text
-        return f"change->{name}[{k}][j]" if k < first else f"moved->{shifted}[{k - first}][j]"
-
-    taken = {*program.inputs, *program.outputs, "change", "moved", "work", "j"}
-    return trimmed(Writer(program, place, None, taken, apart=True).lines())

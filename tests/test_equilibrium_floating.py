@@ -53,6 +53,16 @@ def test_torques_and_loads_in_balance_bend_it():
         equilibrium(pair, w_ext=push * [[0.0], [1.0], [0.0]])
 
 
+def test_a_rope_to_the_world_is_named_where_it_pulls_the_base():
+    rope = {"name": "rope", "between": [{"world": [0.0, 0.0, 9.0]}, "boom.tip"], "line": {"stiffness": 2.0}}
+    tied = model_of(SATELLITE | {"links": [SATELLITE["links"][0], rod("boom", [])], "forces": [rope]})
+    said = (
+        "the wrenches on its tips and forces between it and the world leave .* N on the floating base; let them balance"
+    )
+    with pytest.raises(NoEquilibriumError, match=said):
+        equilibrium(tied)
+
+
 @pytest.mark.long
 def test_a_loop_on_a_floating_base():
     """With elastic gears: held joints, and what follows the loop."""

@@ -66,9 +66,11 @@ def floating_equilibrium(
 
 
 def _balanced(model: RobotModel, found: Equilibrium, w_ext: np.ndarray) -> None:
-    """Refuse wrenches on the tips that leave something on the base; what a fixed base bears is that."""
+    """Refuse wrenches on the tips and forces to the world that leave something on the base, as a fixed one bears it."""
     for part, unit in ((slice(3, 6), "N"), (slice(0, 3), "N·m")):
         left = float(np.linalg.norm(found.wrench[0, part]))
         if left > UNBALANCED * max(1.0, float(np.max(np.abs(w_ext), initial=0.0))):
-            said = f"robot '{model.robot.name}': the wrenches on its tips leave {left:.3g} {unit} on the floating base"
-            raise NoEquilibriumError(f"{said}; give wrenches in balance, or fix the base")
+            tied = any(None in force.ends for force in model.chain.forces)
+            acting = "the wrenches on its tips" + " and forces between it and the world" * tied
+            said = f"robot '{model.robot.name}': {acting} leave {left:.3g} {unit} on the floating base"
+            raise NoEquilibriumError(f"{said}; let them balance, or fix the base")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from functools import cache
 
 import covertable
@@ -14,6 +14,7 @@ from conformance.features import (
     FEATURES,
     LATER,
     LATER_PAIRS,
+    LATEST,
     NEEDS,
     Row,
     conditions,
@@ -34,25 +35,27 @@ TURNED = 4
 @cache
 def covering() -> tuple[Row, ...]:
     """Rows that hold all pairs of levels that can stand together."""
-    levels = {factor: [x for x in own if x not in LATER] for factor, own in FACTORS.items()}
+    levels = {factor: [x for x in own if x not in LATER | LATEST] for factor, own in FACTORS.items()}
     first = tuple(covertable.make(levels, strength=2, constraints=conditions(), salt=SALT))
-    return (*first, *later(first), *beside())
+    before = (*first, *later(first, LATER, set(LATEST)), *beside())
+    return (*before, *later(before, LATEST))
 
 
-def later(first: tuple[Row, ...]) -> tuple[Row, ...]:
-    """Rows for the levels of `LATER`: beside all others, pair after pair as they fit; then each alone."""
-    held = set().union(*(pairs(features(row)) for row in first), map(frozenset, LATER_PAIRS))
+def later(before: tuple[Row, ...], new: dict[str, str], newer: Collection[str] = ()) -> tuple[Row, ...]:
+    """Rows for new levels: beside all others but newer ones, pair after pair as they fit; then each alone."""
+    held = set().union(*(pairs(features(row)) for row in before), map(frozenset, LATER_PAIRS))
     plain = {name: next(iter(own)) for name, own in FACTORS.items()}
-    out = [plain | row for row in packed(possible_pairs() - held, usual)]
-    return (*out, *({**plain, factor: level} for level, factor in LATER.items()))
+    out = [plain | row for row in packed({x for x in possible_pairs() - held if x.isdisjoint(newer)}, usual)]
+    return (*out, *({**plain, factor: level} for level, factor in new.items()))
 
 
 def beside() -> tuple[Row, ...]:
     """Rows for the pairs of `LATER_PAIRS`; of the other factors they have one level after the other."""
     out = []
     for number, row in enumerate(packed(set(map(frozenset, LATER_PAIRS)), possible)):
-        for k, (factor, own) in enumerate(FACTORS.items()):
-            turned = (list(own)[(number + k + n + TURNED) % len(own)] for n in range(len(own)))
+        for k, factor in enumerate(FACTORS):
+            own = [x for x in FACTORS[factor] if x not in LATEST]
+            turned = (own[(number + k + n + TURNED) % len(own)] for n in range(len(own)))
             row.setdefault(factor, next(x for x in turned if possible(row | {factor: x})))
         out.append({factor: row[factor] for factor in FACTORS})
     return tuple(out)

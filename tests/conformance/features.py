@@ -93,6 +93,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "rope": "a rope from a point of the world to a tip",
         "bushing": "a bushing between a place along a link and a tip",
         "winch": "lines with winches, inputs, one taken at the end of steps, and one that relaxes, an internal state",
+        "contact": "spheres that press and rub on a plane of another link and on a sphere of the world, and drag",
     },
     "push": {
         "unpushed": "",
@@ -144,6 +145,9 @@ BUILT_OTHERWISE: dict[tuple[str, str], str] = {
 
 LATER: dict[str, str] = {"compliant loop": "closing"}
 """Levels with rows of their own, by factor: those that came after the array was chosen, whose rows would all change."""
+
+LATEST: dict[str, str] = {"contact": "force"}
+"""The same for those that came when the rows of `LATER` were chosen; theirs stand behind all others."""
 
 LATER_PAIRS: tuple[tuple[str, str], ...] = (
     *(("ball", drive) for drive in list(FACTORS["drive"])[1:]),

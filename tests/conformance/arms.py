@@ -78,6 +78,10 @@ WINCH = {"stiffness": 40.0, "rest": 0.3, "damping": 2.0, "winch": True}
 TAKEN_LATER = {"rest": 0.25, "slack": True, "implicit": True}
 RELAXING = {"stiffness": 25.0, "rest": 0.3, "damping": 1.0, "relaxation": 35.0, "relaxation_time": 0.2}
 BUSHING = {"stiffness": [40.0, 55.0, 30.0, 6.0, 9.0, 4.0], "damping": [2.0, 1.5, 3.0, 0.2, 0.3, 0.15]}
+FLOOR = {"radius": 0.6, "stiffness": 40.0, "width": 0.2, "normal": [0.3, -0.2, 0.9]}
+FLOOR |= {"damping": 0.3, "friction": 0.4, "velocity": 0.3}
+BALL = {"radius": 1.1, "other": 0.9, "stiffness": 15.0, "width": 0.3, "damping": 0.2}
+DRAG = {"linear": [1.5, 2.5, 0.8], "quadratic": 0.9}
 FORCES: dict[str, dict] = {
     "line spring": {"forces": [{"name": "strut", "between": ["boom.eye", "fore.tip"], "line": STRUT}]},
     "rope": {"forces": [{"name": "rope", "between": [{"world": [0.3, -0.4, 2.6]}, "fore.tip"], "line": ROPE}]},
@@ -87,6 +91,13 @@ FORCES: dict[str, dict] = {
             {"name": "hoist", "between": ["boom.eye", "fore.tip"], "line": WINCH},
             {"name": "strap", "between": ["fore.tip", "boom.eye"], "line": RELAXING},
             {"name": "mooring", "between": [{"world": [0.2, -0.5, -0.6]}, "boom.eye"], "line": WINCH | TAKEN_LATER},
+        ]
+    },
+    "contact": {
+        "forces": [
+            {"name": "floor", "between": ["fore.tip", "boom.eye"], "contact": FLOOR},
+            {"name": "ball", "between": [{"world": [0.4, -0.6, -0.9]}, "fore.tip"], "contact": BALL},
+            {"name": "water", "between": ["fore.tip", "boom.eye"], "drag": DRAG},
         ]
     },
 }

@@ -95,6 +95,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "rope": "a rope from a point of the world to a tip",
         "bushing": "a bushing between a place along a link and a tip",
         "winch": "lines with winches, inputs, one taken at the end of steps, and one that relaxes, an internal state",
+        "contact": "spheres that press and rub on a plane of another link and on a sphere of the world, and drag",
     },
     "push": {
         "unpushed": "",
@@ -148,7 +149,7 @@ BUILT_OTHERWISE: dict[tuple[str, str], str] = {
 }
 """Pairs that the two links of the matrix leave no place for; another robot may have them."""
 
-LATER: dict[str, str] = {"compliant loop": "closing", "Dahl": "friction", "limited rate": "axis"}
+LATER: dict[str, str] = {"compliant loop": "closing", "Dahl": "friction", "limited rate": "axis", "contact": "force"}
 """Levels with rows of their own, by factor: those that came after the array was chosen, whose rows would all change."""
 
 LATER_PAIRS: tuple[tuple[str, str], ...] = (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from conformance.mutation import ALGORITHMS, BRAKED, COMPLIANT, LOOPED, PARAMETERS, PRESCRIBED, C, Mutant
+from conformance.mutation import ALGORITHMS, BRAKED, COMPLIANT, INTERACTIONS, LOOPED, PARAMETERS, PRESCRIBED, C, Mutant
 
 M = Mutant
 LATER: list[Mutant] = [
@@ -33,6 +33,10 @@ LATER: list[Mutant] = [
       "prescribed.answers(chain, M, J.T)", "np.linalg.solve(M, J.T)"),
     M("given motion", "plan", "screwgen/planning/drive_coordinates.py",
       "self.given = list(chain.prescribed)", "self.given: list[int] = []"),
+    # ------------------------------------------------------------------------------------------ contact and drag
+    M("contact", "judge", INTERACTIONS + "contact.py", "[u[k] - rate * n[k] for k in range(3)]", "u"),
+    M("contact", "document", INTERACTIONS + "contact.py", ' if "friction" in has else []', " if False else []"),
+    M("contact", "document", INTERACTIONS + "drag.py", 'b_d\\,u_d\\,{u}', 'b_d\\,{u}'),
     # ------------------------------------------------------------------------------------------ a base that moves
     M("moving", "energy balance", ALGORITHMS + "input_functions.py",
       "= force[: 6 * self.chain.moving]", "= [0.0 * x for x in force[: 6 * self.chain.moving]]"),

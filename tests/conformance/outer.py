@@ -1,4 +1,4 @@
-"""What acts on sections from outside the tree, on the oracle's coordinates: springs, ropes, bushings, pushes.
+"""What acts on sections from outside the tree, on the oracle's coordinates: springs, ropes, contacts, drag, pushes.
 
 Springs act by the slopes of their energy, dampers by those of what they measure, pushes by their virtual work. For the
 balance of momentum of a link, what acts at one of its sections is equivalent to a wrench at its tip.
@@ -15,6 +15,8 @@ import numpy as np
 from oracle import Oracle
 from oracle_cloud import rates
 from oracle_stations import named
+
+from conformance.touching import Body, Touch, dragged, pressed
 
 
 class Place(NamedTuple):
@@ -101,6 +103,10 @@ class Outer:
             line = "line" in stated
             if "joint" in stated:
                 own = self._joint(stated["joint"], *ends)
+            elif "contact" in stated:
+                own = self._touching(pressed(stated["contact"], *map(self._body, ends)), *ends)
+            elif "drag" in stated:
+                own = self._touching(dragged(stated["drag"], *map(self._body, ends)), *ends)
             else:
                 own = self._line(stated["line"], *ends, *drum) if line else self._bushing(stated["bushing"], *ends)
             if "relaxation" in stated.get("line", {}):
@@ -189,6 +195,16 @@ class Outer:
         force = -ca.jtimes(gap, self.oracle.q, stress, True)
         torque = -ca.substitute(ca.jtimes(tilted(turn), turn, stress[3:], True), turn, ca.SX.zeros(3))
         return Acting(force, ca.dot(k, gap**2) / 2, R_a @ torque, -R_a @ stress[:3])
+
+    def _body(self, frame: Frame) -> Body:
+        return Body(*frame, self._spin(frame[0]), rates([frame[1]], self.oracle.q, self.oracle.v)[0])
+
+    def _touching(self, touch: Touch, first: Frame, second: Frame) -> Acting:
+        """What acts at one point of both frames, by what their material there moves."""
+        held = ca.SX.sym("force", 3)
+        power = ca.dot(held, self._body(first).moving(touch.point) - self._body(second).moving(touch.point))
+        force = ca.substitute(ca.gradient(power, self.oracle.v), held, touch.force)
+        return Acting(force, touch.energy, -ca.cross(touch.point - second[1], touch.force), -touch.force)
 
     def _on_tip(self, place: Place, torque: ca.SX, load: ca.SX, point: ca.SX) -> ca.SX:
         """(6, n): the equivalent on the tip of the link of what acts at a point of the section."""

@@ -59,6 +59,11 @@ REFUSALS: tuple[Refusal, ...] = (
         for base in ("floating", "afloat")
         for check, words in (("equilibrium", "on the floating base"), ("modes", "forces between it and the world pull"))
     ),
+    *(
+        Refusal(check, ("contact", base), words, "what touches the world pushes a base that floats", large=True)
+        for base in ("floating", "afloat")
+        for check, words in (("equilibrium", "on the floating base"), ("modes", "forces between it and the world pull"))
+    ),
     Refusal(
         *("modes", ("compliant loop",), "find no steady deflection"),
         why="a joint that is far apart bends links farther than the search follows",

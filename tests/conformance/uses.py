@@ -116,6 +116,7 @@ def energy(case: Case) -> None:
         "stops",
         "line spring",
         "winch",
+        "contact",
     }
     if not (lossy | {"rope", "bushing", "compliant loop"}) & set(case.features) and not any(
         "damping" in d for link in case.robot["links"] for d in link["joint"].get("drives", [])

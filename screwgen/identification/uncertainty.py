@@ -29,8 +29,9 @@ LOST = 1.0
 """Of a number or a direction with a larger deviation, in logarithms or over a scale, the data say nothing: in
 a third of all cases it is more than 2.7 times as large or as small."""
 DOUBT = 9.0
-"""So many times that of noise is taken off the information: a vibration with which windows begin tells something where
-it is three times as large as noise makes one. At the stiffness that fits noise best one is twice as large as usual."""
+"""Information counts that is more than so many times that of noise: a vibration with which windows begin tells
+something where it is three times as large as noise makes one. At the stiffness that fits noise best it is twice as
+large."""
 HALVED = 40
 """How often such noise is halved where motions that begin with it are far from readings."""
 NOTHING = 1e-15
@@ -75,7 +76,8 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
     scores = np.array([cluster.score for own in clusters for cluster in own])
     B = scores.T @ scores
     own, axes = np.linalg.eigh(A - DOUBT * _of_noise(fit, at, found, by_group))
-    told = (axes * np.maximum(own, 0.0)) @ axes.T + known
+    true = axes[:, own > 0] @ axes[:, own > 0].T
+    told = true @ A @ true + known
     directions, inverse = lost_directions(told, B + known), np.linalg.pinv(told, rcond=1e-14, hermitian=True)
     covariance = inverse @ (B + known) @ inverse
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))

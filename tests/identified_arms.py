@@ -32,9 +32,12 @@ SENSORS = Columns(
 
 
 def pendulum(
-    values: dict[str, float] = TRUE, actuation: str = "torque", gravity: tuple[float, ...] = (0.0, -9.81, 0.0)
+    values: dict[str, float] = TRUE,
+    actuation: str = "torque",
+    gravity: tuple[float, ...] = (0.0, -9.81, 0.0),
+    across: dict[str, float] | None = None,
 ) -> screwgen.Model:
-    """A flexible pendulum with these numbers."""
+    """A flexible pendulum with these numbers; `across` has those of a section that bends across its swing, too."""
     drive = {
         "rotor_inertia": values["rod.joint.drives[0].rotor_inertia"],
         "friction": {
@@ -47,8 +50,8 @@ def pendulum(
         "name": "rod",
         "length": 1.0,
         "order": 2,
-        "section": {"rhoA": 0.5, "EIz": values["rod.EIz"]},
-        "modes": {"bending_y": 2},
+        "section": {"rhoA": 0.5, "EIz": values["rod.EIz"]} | (across or {}),
+        "modes": {"bending_y": 2} | ({"bending_z": 1} if across else {}),
         "damping": {"ratio": values["rod.damping.ratio"]},
         "joint": {"axes": ["z"], "drives": [drive], "actuation": actuation},
         "bodies": [{"at": "tip", "mass": values["rod.bodies[0].mass"]}],

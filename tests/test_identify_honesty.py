@@ -5,17 +5,19 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from identified_arms import SENSORS, TRUE, elsewhere, logged, pendulum, swing
+from identified_arms import SENSORS, TRUE, elsewhere, logged, pendulum, swing, torque
 
 import screwgen
 from screwgen.errors import UsageError
 from screwgen.identification.logs import Log
-from screwgen.spec.columns import Columns
+from screwgen.spec.columns import Column, Columns
 
 DRIVE = ("rotor_inertia", "friction.coulomb", "friction.viscous")
 ROTOR, COULOMB, VISCOUS = (f"rod.joint.drives[0].{x}" for x in DRIVE)
 HEAVY = TRUE | {ROTOR: 1000.0, COULOMB: 1e-6, VISCOUS: 1e-6}
 GIVEN = Columns(columns=SENSORS.columns[1:])
+SIDE = Column(name="side", measures="strain[1]", unit="microstrain", numbers={"fibre": 0.01})
+WEIGHED = "load the link along z with a known weight"
 LEVEL = (0.0, 0.0, 0.0)
 STEP, NOISE = 2e-3, 1e-3
 
@@ -61,6 +63,18 @@ def swung():
     return pendulum(), swing(2.0, STEP, NOISE)
 
 
+def across():
+    """A pendulum that also bends across the plane of its swing, where nothing moves it and nothing reads it."""
+    model = pendulum(across={"EIy": 30.0})
+    return model, logged(model, torque, 2.0, STEP, 0.01, q0=(-1.5, 0.0, 0.0, 0.0))
+
+
+def read_across():
+    """It with a gauge there, which reads noise."""
+    model, log = across()
+    return model, replace(log, columns=log.columns | {"side": np.random.default_rng(2).standard_normal(len(log))})
+
+
 UNDETERMINED = {
     "ratio": (heavy, ["motor.gain", ROTOR], f"{ROTOR} and motor.gain are known only as a ratio (+1.00)"),
     "scale": (swung, ["motor.gain", "*.EIz", ROTOR, COULOMB, VISCOUS, "*.mass", "rod.rhoA"], "can all grow together"),
@@ -68,6 +82,8 @@ UNDETERMINED = {
     "gain": (pulled, ["motor.gain", "motor.bias"], "only together are known motor.gain and motor.bias"),
     "trace": (swung, ["rod.EIz", "gravity[2]"], "gravity[2] leaves hardly a trace in the data; level the base"),
     "friction": (steady, [COULOMB, VISCOUS], f"{COULOMB} and {VISCOUS}"),
+    "plane": (across, ["*.EIy", "*.EIz"], f"rod.EIy leaves hardly a trace in the data; {WEIGHED}"),
+    "quiet": (read_across, ["*.EIy", "*.EIz"], f"rod.EIy leaves hardly a trace in the data; {WEIGHED}"),
     "tilt": (hanging, ["gravity[0]", "gauge.offset"], "only together are known gauge.offset and gravity[0]"),
 }
 
@@ -78,6 +94,8 @@ def test_what_the_data_do_not_determine_is_said(case):
     make, free, words = UNDETERMINED[case]
     model, log = make()
     sensors = SENSORS if model.tau_names[0] == "rod.torque[0]" else GIVEN
+    if "side" in log.columns:
+        sensors = Columns(columns=(*sensors.columns, SIDE))
     found = screwgen.identify(model, log, free=free, sensors=sensors, window=0.5)
     (said,) = found.undetermined
     assert words in said
@@ -125,7 +143,7 @@ WRONG = {
     "row 11: t is no finite number": lambda x: replace(x, t=put(10, np.nan)(x.t.copy())),
     "row 11: t is 0.018 s; it must be later than in the row before": lambda x: replace(x, t=put(10, 0.018)(x.t.copy())),
     "row 251: the step is 0.102 s, others are 0.002 s": lambda x: replace(x, t=x.t + 0.1 * (np.arange(len(x)) >= 250)),
-    "row 11: motor is nan; an input must be known": lambda x: with_column(x, "motor", put(10, np.nan)),
+    "row 11: motor is no finite number; an input must be known": lambda x: with_column(x, "motor", put(10, np.nan)),
     "gauge lacks 301 of 501 readings": lambda x: with_column(x, "gauge", put(slice(200, None), np.nan)),
     "gauge is 3 throughout and says nothing": lambda x: with_column(x, "gauge", put(slice(None), 3.0)),
     "has no column 'gauge'; it has angle, motor; wanted are motor, angle, gauge": without_gauge,
@@ -163,6 +181,27 @@ def test_a_file_without_a_column_is_named(tmp_path):
         screwgen.identify(pendulum(), path, free=["rod.EIz"], sensors=SENSORS)
     said = "log.csv: has no column 'motor'; it has t, angle; wanted are t, motor, angle, gauge: name them so"
     assert said in str(caught.value)
+
+
+CELLS = {
+    "row 3: motor is no finite number; an input must be known at every sample": {3: "0.004,1.0,2.0,stopped"},
+    "row 1: t is no finite number; give every row its time": {1: "s,deg,microstrain,Nm"},
+    "row 2 has 3 columns, the head 4; give every row as many, and write decimals with points": {2: "0.002,1.0,2.0"},
+    "row 1 has 8 columns, the head 4; give every row as many, and write": {1: "0,002,1,0,2,0,3,0"},
+}
+
+
+@pytest.mark.parametrize("fault", CELLS)
+def test_a_cell_that_is_no_number_is_named(fault, log, tmp_path):
+    """Text where a number lacks, a row of units, a row that is cut off, decimals with commas."""
+    path, table = tmp_path / "log.csv", np.column_stack([log.t, *(log.columns[x] for x in ("angle", "gauge", "motor"))])
+    rows = ["t,angle,gauge,motor", *(",".join(f"{x:.9g}" for x in row) for row in table[:60])]
+    for row, text in CELLS[fault].items():
+        rows[row] = text
+    path.write_text("\n".join(rows))
+    with pytest.raises(UsageError) as caught:
+        screwgen.identify(pendulum(), path, free=["rod.EIz"], sensors=SENSORS)
+    assert str(caught.value).startswith(f"{path}: {fault}") and "\n" not in str(caught.value)
 
 
 @pytest.mark.parametrize("factor", [57.2958, 1e-3])

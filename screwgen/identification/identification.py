@@ -80,7 +80,7 @@ class Explained:
 
     def line(self) -> str:
         """How much the model explains, in words."""
-        told = ", ".join(f"{name} {100 * x:.1f} %" for name, x in self.share("whole").items())
+        told = ", ".join(f"{name} {_percent(x)}" for name, x in self.share("whole").items())
         kind, how = "held out" if self.held_out else "fitted", "at rest" if self.static else "in one run"
         points = "" if self.distance is None else f"; points are {1e3 * self.distance:.2f} mm off on average"
         return f"{self.log} ({kind}), variance explained {how}: {told}{points}"
@@ -101,6 +101,10 @@ def shares(names: Sequence[str], readings: np.ndarray, model: np.ndarray) -> dic
             left[name] += float(np.sum((y[there] - z[there]) ** 2))
             spread[name] += float(np.sum((y[there] - y[there].mean()) ** 2))
     return {name: 1 - left[name] / spread[name] if spread[name] > 0 else float("nan") for name in left}
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.1f} %" if np.isfinite(share) else "nothing, as it has no such motion"
 
 
 @dataclass(frozen=True)

@@ -151,7 +151,7 @@ def _check_times(log: Log, name: str) -> None:
 
 def _check_input(log: Log, column: Column, values: np.ndarray) -> None:
     if (bad := np.flatnonzero(~np.isfinite(values))).size:
-        said = f"row {bad[0] + 1}: {column.name} is {values[bad[0]]}"
+        said = f"row {bad[0] + 1}: {column.name} is no finite number"
         raise UsageError(f"{log.name}: {said}; an input must be known at every sample, cut the log there")
 
 
@@ -221,7 +221,8 @@ def _csv_columns(
     with _opened(path) as stream:
         try:
             stream.readline()
-            table = _rows(stream, [head.index(x) for x in there], file, span if wanted[0] in head else None)
+            places = [head.index(x) for x in there]
+            table = _rows(stream, places, len(head), file, span if wanted[0] in head else None)
         except (ValueError, UnicodeDecodeError) as error:
             why = one_line(" ".join(str(error).split())[:120])
             raise UsageError(
@@ -232,11 +233,17 @@ def _csv_columns(
     }
 
 
-def _rows(stream: BinaryIO, places: list[int], file: str, span: Span | None) -> np.ndarray:
-    """The rows (N, columns) of a table, of which few are in memory as text; those of a span in the first column."""
-    parts, number = [np.empty((0, len(places)))], 0
+def _rows(stream: BinaryIO, places: list[int], width: int, file: str, span: Span | None) -> np.ndarray:
+    """The rows (N, columns) of a table, of which few are in memory as text; those of a span in the first column.
+
+    `width`: columns of the head.
+    """
+    parts, number, read = [np.empty((0, len(places)))], 0, 0
     while lines := [x for x in islice(stream, CHUNK) if x.strip()]:
-        rows = np.genfromtxt(lines, delimiter=",", usecols=places, ndmin=2, encoding="utf-8").reshape(-1, len(places))
+        if sum(line.count(b",") for line in lines) != len(lines) * (width - 1):
+            _check_width(lines, width, file, read)
+        read += len(lines)
+        rows = _numbers(lines, places)
         if span is not None:
             t, margin = rows[:, 0], 1e-6 * (span[1] - span[0])
             over = bool(t[0] > span[1] + margin)
@@ -249,6 +256,26 @@ def _rows(stream: BinaryIO, places: list[int], file: str, span: Span | None) -> 
             raise UsageError(f"{file}: has more than {MOST_ROWS} rows, which no fit needs; {remedy}")
         parts.append(rows)
     return np.concatenate(parts)
+
+
+def _numbers(lines: list[bytes], places: list[int]) -> np.ndarray:
+    """The cells (N, columns) of rows, NaN where there is no number; quicker where all are."""
+    try:
+        return np.loadtxt(lines, delimiter=",", usecols=places, ndmin=2, encoding="utf-8")
+    except ValueError:
+        found = np.genfromtxt(lines, delimiter=",", usecols=places, ndmin=2, encoding="utf-8")
+        return np.asarray(found.reshape(-1, len(places)))
+
+
+def _check_width(lines: Sequence[bytes], width: int, file: str, read: int) -> None:
+    """Refuses a row with fewer columns than the head, or with more that are not empty; `read`: rows before these."""
+    for k, line in enumerate(lines):
+        if line.lstrip().startswith(b"#"):
+            continue
+        least, most = line.rstrip(b", \r\n").count(b",") + 1, line.count(b",") + 1
+        if not least <= width <= most:
+            said = f"row {read + k + 1} has {most} columns, the head {width}"
+            raise UsageError(f"{file}: {said}; give every row as many, and write decimals with points")
 
 
 def _npz_columns(path: str | os.PathLike[str]) -> dict[str, np.ndarray]:

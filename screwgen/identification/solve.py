@@ -209,7 +209,7 @@ class Fit:
         `steps` has them of some windows with a damping.
         """
         group = self.problem.groups[log]
-        before, now = (self._costs(group, x.shift[log], x.differences[log], at.noise) for x in (at, there))
+        before, now = (self.costs(group, x.shift[log], x.differences[log], at.noise) for x in (at, there))
         for damping in CALMED:
             if not (windows := np.flatnonzero(now > worse * before)).size:
                 break
@@ -223,7 +223,7 @@ class Fit:
         found = False
         for log, group in enumerate(self.problem.groups):
             if len(group.states):
-                now = self._costs(group, at.shift[log], at.differences[log], at.noise)
+                now = self.costs(group, at.shift[log], at.differences[log], at.noise)
                 other = group.continued(self.problem, at.sought, at.shift[log])
                 found |= self._take(log, at, np.arange(len(now)), other, now, 1 / WORSE[0])
         at.cost = self._cost(at.sought, at.shift, at.differences, at.noise)
@@ -238,7 +238,7 @@ class Fit:
         """
         group = self.problem.groups[log]
         found = group.differences(self.problem, windows, np.tile(there.sought, (len(windows), 1)), other)
-        better = (own := self._costs(group, other, found, there.noise)) < share * now[windows]
+        better = (own := self.costs(group, other, found, there.noise)) < share * now[windows]
         chosen = windows[better]
         there.shift[log][chosen], there.differences[log][chosen] = other[better], found[better]
         now[chosen] = own[better]
@@ -292,10 +292,10 @@ class Fit:
     ) -> float:
         total = np.sum(((sought - self.priors[:, 0]) / self.priors[:, 1]) ** 2)
         for group, own, part in zip(self.problem.groups, shift, differences, strict=True):
-            total += 2 * np.sum(self._costs(group, own, part, noise))
+            total += 2 * np.sum(self.costs(group, own, part, noise))
         return float(total) / 2
 
-    def _costs(self, group: MeasuredCases, shift: np.ndarray, found: np.ndarray, noise: np.ndarray) -> np.ndarray:
+    def costs(self, group: MeasuredCases, shift: np.ndarray, found: np.ndarray, noise: np.ndarray) -> np.ndarray:
         """The costs (cases,) of cases of a group with these starts (cases, states) and differences."""
         r = np.abs(found / noise[self.problem.own(group)])
         r[np.isnan(r)] = 0.0

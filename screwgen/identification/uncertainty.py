@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -22,9 +23,19 @@ CLUSTER = 0.2
 LEVERAGE = 0.99
 """The largest share of a residual of a cluster that fits may follow: with all of it a number that follows from one
 cluster alone would have no interval."""
+VAGUE = 1e6
+"""The deviation of that of which the data say nothing at all."""
 LOST = 1.0
 """Of a number or a direction with a larger deviation, in logarithms or over a scale, the data say nothing: in
 a third of all cases it is more than 2.7 times as large or as small."""
+DOUBT = 9.0
+"""Information counts that is more than so many times that of noise: a vibration with which windows begin tells
+something where it is three times as large as noise makes one. At the stiffness that fits noise best it is twice as
+large."""
+HALVED = 40
+"""How often such noise is halved where motions that begin with it are far from readings."""
+NOTHING = 1e-15
+"""The share of the largest information that is rounding."""
 NAMED = 0.2
 """Numbers that are named of a direction: those that change by this share of the one that changes most."""
 
@@ -51,11 +62,11 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
     on what is fitted, and intervals have the degrees of freedom that this leaves (Bell and McCaffrey, 2002).
     """
     found = [g.linearised(fit.problem, at.sought, s) for g, s in zip(fit.problem.groups, at.shift, strict=True)]
-    windows = [
-        _of_window(fit, group, at, own, w, shift[w])
+    by_group = [
+        [_of_window(fit, group, at, own, w, shift[w]) for w in range(len(group.compared))]
         for group, own, shift in zip(fit.problem.groups, found, at.shift, strict=True)
-        for w in range(len(group.compared))
     ]
+    windows = list(chain(*by_group))
     A = np.sum([window.sought.T @ window.sought for window in windows], axis=0)
     known = np.diag(1 / fit.priors[:, 1] ** 2)
     inverse = np.linalg.pinv(A + known, rcond=1e-14, hermitian=True)
@@ -64,7 +75,10 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
     clusters = [[_of_cluster(window, c, root) for c in np.unique(window.cluster)] for window in windows]
     scores = np.array([cluster.score for own in clusters for cluster in own])
     B = scores.T @ scores
-    directions = lost_directions(A + known, B + known)
+    own, axes = np.linalg.eigh(A - DOUBT * _of_noise(fit, at, found, by_group))
+    true = axes[:, own > 0] @ axes[:, own > 0].T
+    told = true @ A @ true + known
+    directions, inverse = lost_directions(told, B + known), np.linalg.pinv(told, rcond=1e-14, hermitian=True)
     covariance = inverse @ (B + known) @ inverse
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     if np.isfinite(fit.stated).all():  # as many readings as numbers leave no residual, and yet have their noise
@@ -86,6 +100,48 @@ class _Window(NamedTuple):
     r: np.ndarray
     cluster: np.ndarray
     """The number of the cluster of each row."""
+    follows: np.ndarray
+    """(n, m - n): how its start follows readings, both in their deviations."""
+
+
+def _of_noise(
+    fit: Fit, at: Estimate, found: Sequence[tuple[np.ndarray, ...]], windows: Sequence[Sequence[_Window]]
+) -> np.ndarray:
+    """The information (k, k) that noise in the starts of windows has, of one draw of it.
+
+    A vibration that noise alone has put into a start seems to tell a stiffness by its frequency.
+    """
+    rng, out = np.random.default_rng(0), np.zeros((len(at.sought),) * 2)
+    differences = [x for x, *_ in found]
+    sizes = np.nan_to_num(fit.sizes(differences) / at.noise)
+    for group, own, shift, now in zip(fit.problem.groups, windows, at.shift, differences, strict=True):
+        if not shift.size:
+            continue
+        readings = rng.standard_normal(now.shape) * sizes[fit.problem.own(group)]
+        drawn = np.array([window.follows @ x.ravel() for window, x in zip(own, readings, strict=True)])
+        change = _likely(fit, at, group, shift, drawn, fit.costs(group, shift, now, at.noise) + shift.shape[1])
+        ends = [group.linearised(fit.problem, at.sought, shift + sign * change) for sign in (1.0, -1.0)]
+        for w, window in enumerate(own):
+            ahead, behind = (fit.rows(group, at, end, w)[2] for end in ends)
+            part = np.vstack([ahead - behind, np.zeros((shift.shape[1], len(at.sought)))]) / 2
+            part -= window.states @ (window.states.T @ part)
+            out += part.T @ part
+    return out
+
+
+def _likely(
+    fit: Fit, at: Estimate, group: MeasuredCases, shift: np.ndarray, change: np.ndarray, most: np.ndarray
+) -> np.ndarray:
+    """The change (W, states) of starts, halved of windows whose cost either sign of it brings above the `most` (W,)."""
+    lanes, left = np.arange(len(shift)), change.copy()
+    for _ in range(HALVED):
+        ends = [shift + sign * left for sign in (1.0, -1.0)]
+        found = [group.differences(fit.problem, lanes, np.tile(at.sought, (len(lanes), 1)), end) for end in ends]
+        costs = [fit.costs(group, end, own, at.noise) for end, own in zip(ends, found, strict=True)]
+        if not (wrong := np.max(costs, axis=0) > most).any():
+            break
+        left[wrong] /= 2
+    return left
 
 
 class _Cluster(NamedTuple):
@@ -110,11 +166,12 @@ def _of_window(
     """
     r, J_x, J_p = fit.rows(group, at, found, w)
     n, k = J_x.shape[1], J_p.shape[1]
-    Q, _ = np.linalg.qr(np.vstack([J_x, np.eye(n)]))
+    Q, R = np.linalg.qr(np.vstack([J_x, np.eye(n)]))
     rows = np.vstack([J_p, np.zeros((n, k))])
     rows -= Q @ (Q.T @ rows)
     seconds = np.arange(len(r)) // found[0].shape[-1] * group.step
-    return _Window(rows, Q, np.append(r, shift), np.append((seconds // CLUSTER).astype(int), np.zeros(n, int)))
+    cluster = np.append((seconds // CLUSTER).astype(int), np.zeros(n, int))
+    return _Window(rows, Q, np.append(r, shift), cluster, np.linalg.solve(R, Q[: len(r)].T))
 
 
 def _of_cluster(window: _Window, number: int, root: np.ndarray) -> _Cluster:
@@ -158,7 +215,7 @@ def _quantiles(clusters: Sequence[Sequence[_Cluster]]) -> np.ndarray:
 def lost_directions(A: np.ndarray, B: np.ndarray) -> list[tuple[np.ndarray, float]]:
     """The directions of which the data leave more than LOST, the vaguest first, each with as few numbers as may be."""
     values, vectors = np.linalg.eigh(A)
-    slopes = np.maximum(values, max(values.max(), 1e-300) * 1e-15)
+    slopes = np.where(values > NOTHING * values.max(), values, VAGUE**-2)
     sizes = np.sqrt(np.maximum(np.sum(vectors * (B @ vectors), axis=0), slopes)) / slopes
     lost = vectors[:, sizes > LOST]
     out = []

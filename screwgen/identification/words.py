@@ -37,7 +37,8 @@ REMEDIES = (
     ("mass", "weigh the part"),
     ("inertia", "swing the part as a pendulum"),
     ("com", "balance the part"),
-    ("EI", "load the link with a known weight"),
+    ("EIy", "load the link along z with a known weight"),
+    ("EIz", "load the link along y with a known weight"),
     ("GJ", "twist the link with a known moment"),
 )
 """By a piece of a name what determines such a number; the first that fits counts."""

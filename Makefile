@@ -115,6 +115,10 @@ bench: $(BENCH)/.ready
 peers: $(BENCH)/.ready acados
 	$(BENCH)/bin/python bench/peers.py $(ARGS)
 
+# How a step and its derivatives grow with a chain of 8 to 64 flexible links. Some five minutes.
+growing: $(BENCH)/.ready
+	$(BENCH)/bin/python bench/growing.py $(ARGS)
+
 # ELLA's modes under PD, a beam that is spun up, a pendulum and the rod of a slider-crank against Exudyn's geometrically
 # exact beams. Some minutes.
 exact-beams: $(BENCH)/.ready
@@ -189,4 +193,4 @@ $(MINIMA)/.ready: pyproject.toml tests/minima.py
 clean:
 	rm -rf $(VENV) $(BENCH) $(MINIMA) build
 
-.PHONY: demo paper mpc acados nmpc-acados docs test test-all examples robots test-long style lint bench peers exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean
+.PHONY: demo paper mpc acados nmpc-acados docs test test-all examples robots test-long style lint bench peers growing exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean

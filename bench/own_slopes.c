@@ -1,6 +1,7 @@
 /* own_slopes.c: the generated forward dynamics and its derivatives in loops, timed by the thread's own clock.
  *
- * Give the robot's name with -DROBOT=name -DROBOT_UPPER=NAME -DHEADER='"name_derivatives.h"'.
+ * Give the robot's name with -DROBOT=name -DROBOT_UPPER=NAME -DHEADER='"name_derivatives.h"'; for its steps also
+ * -DMETHOD=modal_implicit -DSTEP=1e-3.
  */
 #define _GNU_SOURCE
 #include <string.h>
@@ -74,3 +75,37 @@ void peer_results(double *vdot, double *by_q, double *by_v, double *by_tau)
     memcpy(by_v, slopes.vdot_v, sizeof slopes.vdot_v);
     memcpy(by_tau, slopes.vdot_tau, sizeof slopes.vdot_tau);
 }
+#ifdef METHOD
+
+static R(state) next;
+static R(step_derivatives_work) step_work;
+static R(step_derivatives) step_slopes;
+
+/* A step from the same state again and again. */
+double peer_step(const double *q, const double *v, const double *tau, long calls)
+{
+    double begin;
+    given(q, v, tau);
+    begin = seconds();
+    while (calls-- > 0) {
+        next = state;
+        if (JOIN(R(step_), METHOD)(&c, &next, &input, STEP, &work)) {
+            return -1;
+        }
+    }
+    return seconds() - begin;
+}
+
+double peer_step_derivatives(const double *q, const double *v, const double *tau, long calls)
+{
+    double begin;
+    given(q, v, tau);
+    begin = seconds();
+    while (calls-- > 0) {
+        if (JOIN(JOIN(R(step_), METHOD), _derivatives)(&c, &state, &input, STEP, &step_work, &next, &step_slopes)) {
+            return -1;
+        }
+    }
+    return seconds() - begin;
+}
+#endif

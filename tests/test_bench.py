@@ -17,6 +17,7 @@ sys.path.insert(0, str(BENCH))
 
 import derivation  # noqa: E402
 import groups  # noqa: E402
+import growing  # noqa: E402
 import lagrangian  # noqa: E402
 import rigid  # noqa: E402
 import robots  # noqa: E402
@@ -170,3 +171,12 @@ def test_a_peer_that_is_missing_costs_its_rows(tmp_path, name, status, said):
     command = [sys.executable, "-c", program, str(BENCH / "peers.py"), "--only", name, "--out", str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == status and said in done.stderr and "Traceback" not in done.stderr
+
+
+def test_steps_and_their_derivatives_are_timed_with_and_without_a_spring(monkeypatch):
+    monkeypatch.setitem(growing.LEVELS, "O3", ("-O0",))
+    monkeypatch.setattr(growing, "ROUNDS", 2)
+    monkeypatch.setattr(growing, "LINKS", (2, 3))
+    rows = [row for sprung in (False, True) for n in (2, 3) for row in growing.timed(n, sprung, "O3")]
+    assert all(row.ratio >= 1 and row.seconds > 0 for row in rows) and len(rows) == 12
+    assert growing.picture(rows)[:4] == b"\x89PNG"

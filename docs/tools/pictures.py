@@ -19,7 +19,7 @@ from pages import GUIDES, ROOT
 
 PICTURES, BUILD = ROOT / "docs" / "pictures", ROOT / "build"
 MEASURED = frozenset({"peers/peers.png", "peers/growing.png"})
-"""Pictures of benchmarks, which stay as they are: `make peers` and `make growing` draw them, with one machine's times."""
+"""Pictures of benchmarks: `make peers` and `make growing` draw them into build/, with the times of a machine."""
 SHOWN = re.compile(r"!\[[^\]]+\]\(pictures/([^)]+)\)")
 
 

@@ -63,6 +63,22 @@ def test_a_rope_to_the_world_is_named_where_it_pulls_the_base():
         equilibrium(tied)
 
 
+@pytest.mark.parametrize("anchor, height, taut", [(9.0, 6.0, False), (3.0, -6.0, True)])
+def test_a_rope_pulls_where_the_base_floats_not_where_it_would_be_fixed(anchor, height, taut):
+    """A slack one leaves the boom as it is; one that is taut at this pose is refused, though it hangs at the origin."""
+    line = {"stiffness": 2.0, "rest": 5.0, "slack": True}
+    rope = {"name": "rope", "between": [{"world": [0.0, 0.0, anchor]}, "boom.tip"], "line": line}
+    model = model_of(SATELLITE | {"links": [SATELLITE["links"][0], rod("boom", [])], "forces": [rope]})
+    q = np.array(model.chain.home)
+    q[2] = height  # position before quaternion
+    if taut:
+        with pytest.raises(NoEquilibriumError, match="forces between it and the world leave"):
+            equilibrium(model, q)
+        return
+    rest = equilibrium(model, q)
+    assert np.array_equal(rest.q, q) and rest.tip_position[2] == pytest.approx(height, abs=1e-9)
+
+
 @pytest.mark.long
 def test_a_loop_on_a_floating_base():
     """With elastic gears: held joints, and what follows the loop."""

@@ -1,4 +1,4 @@
-"""Rest of robots with floating bases: without gravity the posture is that on a fixed base, at any pose of the base."""
+"""Rest of robots with floating bases: without gravity the posture is that on a base which is fixed where it floats."""
 
 from __future__ import annotations
 
@@ -10,21 +10,16 @@ import numpy as np
 
 from ..arguments import Numbers
 from ..robot_model import RobotModel
-from ..spec.base import FIXED
 from .held_joints import Hold
 from .linear import checked, whole
 from .no_equilibrium import NoEquilibriumError
+from .standing import StandingBase
 
 if TYPE_CHECKING:
     from .equilibrium import Equilibrium
 
 UNBALANCED = 1e-9
 """The part of the largest load that may be left on the base."""
-
-
-def on_fixed_base(model: RobotModel) -> RobotModel:
-    """The robot on a fixed base; parameters and rows of loops are the same."""
-    return model.once("fixed base", lambda: RobotModel(model.robot.model_copy(update={"base": FIXED})))
 
 
 def floating_equilibrium(
@@ -40,7 +35,7 @@ def floating_equilibrium(
     """What `equilibrium` does where the base floats: the base is kept as given, the rest settles relative to it.
 
     Joints, gears, modes and loops act between links, so nothing pushes the base, and the search is that of the robot on
-    a fixed base. `stability` is that of the posture relative to the base, whose own motion nothing resists.
+    a base which is fixed at its pose; what acts from the world must leave nothing on it. `stability` is that of the posture relative to the base, whose own motion nothing resists.
     """
     if p[:3].any():
         said = f"robot '{model.robot.name}' has a floating base, which nothing holds against gravity"
@@ -49,20 +44,12 @@ def floating_equilibrium(
     if q is not None:
         given = checked(q, "q", m if np.size(q) == m else model.nq)
     start = whole(model.chain, given, p)
-    fixed = on_fixed_base(model)
+    there = StandingBase(model, start, p)
     w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
-    values = dict(zip(model.parameter_names, p, strict=True))
-    found = equilibrium(fixed, start[model.chain.base_q :], tau, w_ext, hold, values, free)
+    found = equilibrium(there.fixed, there.q, tau, w_ext, hold, there.values, free)
     _balanced(model, found, w_ext)
-    R, origin = model.numpy(p).link_pose(start)
-    return replace(
-        found,
-        q=np.append(start[: model.chain.base_q], found.q),
-        wrench=np.vstack([np.zeros(6), found.wrench[1:]]),
-        tip_position=origin[0] + R[0] @ found.tip_position,
-        tip_deflection=R[0] @ found.tip_deflection,
-        q_names=tuple(model.q_names),
-    )
+    wrench = np.vstack([np.zeros(6), found.wrench[1:]])
+    return replace(found, q=np.append(there.pose, found.q), wrench=wrench, q_names=tuple(model.q_names))
 
 
 def _balanced(model: RobotModel, found: Equilibrium, w_ext: np.ndarray) -> None:

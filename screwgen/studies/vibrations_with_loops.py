@@ -16,22 +16,24 @@ from ..simulation.definiteness import check_definite
 from ..simulation.mobility import closing
 from ..topology.loops import ClosingRow
 from .equilibrium import closed_start, rest
-from .equilibrium_of_floating_bases import on_fixed_base
+from .standing import StandingBase
 from .statics_with_loops import RANK, BalanceWithLoops
 from .steady import Steady, refuse_pulled_base, unprescribed, unresisted
 
 
 def hanging(model: RobotModel, q: np.ndarray, p: np.ndarray) -> Steady:
     """Small motions about rest under gravity, with the stated joints of `q` (nq,) held while the links bend."""
-    chain, pose = model.chain, q[: model.chain.base_q]
-    robot = on_fixed_base(model) if chain.floating else model
-    start, stated = closed_start(robot, p, q[chain.base_q :], True)
-    b = rest(robot, p, np.zeros(robot.n_tau), np.zeros((robot.n_links, 6)), stated, start)[1]
+    chain, robot, own = model.chain, model, p
+    if chain.floating:
+        there = StandingBase(model, q, p)
+        robot, own = there.fixed, there.fixed.chain.parameters.vector(there.values)
+    start, stated = closed_start(robot, own, q[chain.base_q :], True)
+    b = rest(robot, own, np.zeros(robot.n_tau), np.zeros((robot.n_links, 6)), stated, start)[1]
     assert isinstance(b, BalanceWithLoops)
     torques = np.where(stated, b.force[robot.chain.held_places], 0.0)
     tau = chain.with_idle_inputs(efforts(chain, torques, b.q[: model.n_joints], p, held=True))
     forces = dict(zip(chain.closing.rows, b.forces, strict=True))
-    return about(model, np.append(pose, b.q), p, forces, tau)
+    return about(model, np.append(q[: chain.base_q], b.q), p, forces, tau)
 
 
 def about(

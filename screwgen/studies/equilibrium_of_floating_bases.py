@@ -35,7 +35,8 @@ def floating_equilibrium(
     """What `equilibrium` does where the base floats: the base is kept as given, the rest settles relative to it.
 
     Joints, gears, modes and loops act between links, so nothing pushes the base, and the search is that of the robot on
-    a base which is fixed at its pose; what acts from the world must leave nothing on it. `stability` is that of the posture relative to the base, whose own motion nothing resists.
+    a base which is fixed at its pose; what acts from the world must leave nothing on it. `stability` is that of the
+    posture relative to the base, whose own motion nothing resists.
     """
     if p[:3].any():
         said = f"robot '{model.robot.name}' has a floating base, which nothing holds against gravity"

@@ -73,6 +73,11 @@ class Case:
         """The inputs as a step holds them: those beyond the limits of the robot file are cut off there."""
         return self.judge.limits.held(self.given[2])
 
+    def acting_at(self, v: np.ndarray) -> np.ndarray:
+        """The same in another state, of rates and internal states ``v``."""
+        limits = self.judge.limits
+        return limits.held(self.given[2], v[len(v) - len(limits.z) :])
+
     def energy(self, functions, q, v, tau, *p):
         """Kinetic and potential; of the inputs too where these act on forces between frames."""
         of = functions["energy"] if p else functions.energy

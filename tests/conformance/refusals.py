@@ -93,6 +93,16 @@ REFUSALS: tuple[Refusal, ...] = (
         )
         for x in NOT_PREDICTED
     ),
+    Refusal(
+        *("plan", ("limited",), "to rest there takes"),
+        why="a drive whose limit does not hold the weight of its arm has no plan",
+        large=True,
+    ),
+    Refusal(
+        *("plan", ("loaded friction", "three axes"), "brings the arm to no rest"),
+        why="the fast search does not settle where friction by load of several axes acts",
+        large=True,
+    ),
     *(Refusal("plan", (x,), "for which there is no plan", "plans are of arms with a drive each") for x in NOT_PLANNED),
 )
 

@@ -45,8 +45,7 @@ def runs(case: Case) -> None:
     for name in ("wrench", "tip_position", *rows):
         near(getattr(rolled, name)[0], getattr(run, name), 1e3 * case.agreement, name)
         near(getattr(other, name), getattr(run, name), 1e3 * case.agreement, name)
-    acting = np.array([case.judge.limits.held(tau, x[len(x) - len(case.judge.limits.z) :]) for x in run.v])
-    near(run.tau, acting, case.agreement, "inputs that acted")
+    near(run.tau, np.array([case.acting_at(v) for v in run.v]), case.agreement, "inputs that acted")
     near(other.tau, run.tau, case.agreement, "inputs that acted, by CasADi")
     last = {name: x[-1] for name, x in run.arrays.items()} | {"w_ext": w_ext}
     if model.chain.compliant:

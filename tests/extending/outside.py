@@ -40,6 +40,10 @@ class Outside(Case):
         """The inputs, which nothing limits."""
         return self.given[2]
 
+    def acting_at(self, v: np.ndarray) -> np.ndarray:
+        """The same in any state."""
+        return self.acting
+
     def _errors(self, *found) -> dict[int, float]:
         pairs = zip(found, self.expected, strict=False)
         return {k: relative(np.reshape(x, expected.shape), expected) for k, (x, expected) in enumerate(pairs)}

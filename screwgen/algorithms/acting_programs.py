@@ -71,8 +71,8 @@ def acting_maps(chain: Chain, constants: str = "constants") -> Program:
             out |= {f"row_{name}": [y for one in found for y in one[name].flat] for name in OF_ROWS if found}
             _, (J, J_q, J_v), bend = coupling_changes(chain, shut, acc.axes, forces, f.apply)
             if J.size:
-                rows = {"coupling_J": J, "coupling_J_q": J_q, "coupling_J_v": J_v}
-                out |= {name: list(rows.flat) for name, rows in rows.items()}
+                couplings = {"coupling_J": J, "coupling_J_q": J_q, "coupling_J_v": J_v}
+                out |= {name: list(rows.flat) for name, rows in couplings.items()}
                 out["coupling_bend"] = [bend[k, k] for k in range(chain.nv)]
             maps = [(one["bend"], mx.zeros(12, 12)) for one in found]
         else:

@@ -1,4 +1,4 @@
-"""Rest where the motion of the base is given: the robot is that on a fixed base, mounted where the base stands."""
+"""Rest where the motion of the base is given, or where it floats: the robot is on a fixed base, mounted at its pose."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ NOWHERE = (0.0, 0.0, 0.0)
 
 
 class StandingBase:
-    """A robot whose base moves as is given, at rest in a posture: the `fixed` robot, its coordinates `q` and `values`
-    of its parameters."""
+    """A robot whose base moves as is given, or floats, at rest in a posture: the `fixed` robot, its coordinates `q` and
+    `values` of its parameters."""
 
     def __init__(self, model: RobotModel, q: Numbers | None, p: np.ndarray):
         posture = whole(model.chain, q, p)

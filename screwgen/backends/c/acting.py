@@ -46,7 +46,8 @@ def content(chain: Chain, baked: bool, place: Place) -> dict | None:
     constants, rows = "baked" if baked else "constants", bool(chain.closing.rows)
     program = acting_programs.acting_maps(chain, constants)
     made = _printed(chain, program, place, ("m_eta", "f_eta") * rows)
-    held = acting_programs.held_maps(chain, constants) if rows else None
+    held_program = acting_programs.held_maps(chain, constants) if rows else None
+    held = _printed(chain, held_program, place, ("at",)) if held_program else None
     tips, ends = tips_acted_on(chain), acting_programs.ends(chain)
     maps = [[tips.index(i) for i in own] for own in ends]
     begins = [sum(36 * len(own) ** 2 for own in maps[:k]) for k in range(len(maps))]
@@ -54,13 +55,14 @@ def content(chain: Chain, baked: bool, place: Place) -> dict | None:
     bearing = [_bearing(chain, i) for i in tips]
     with_v = {"with_v": f"with_v[{{}} * {'$$_NVZ' if chain.n_internal else '$$_NV'} + j]"}
     return made | {
-        "programs": [program, *([held] if held else [])],
+        "programs": [program, *([held_program] if held_program else [])],
+        "kept": max(made["kept"], held["kept"] if held else 0),  # of both, which run one after the other
         "rows": numbers,
         "row_ends": [
             [tips.index(chain.closing.rows[k].first), tips.index(chain.closing.rows[k].second)] for k in numbers
         ],
         "couplings": acting_programs.coupled(chain),
-        "held": _printed(chain, held, place, ("at",)) if held else None,
+        "held": held,
         "tips": tips,
         "nodes": [chain.tree.tip(i) for i in tips],
         "maps": maps,

@@ -14,7 +14,8 @@ Expressions = Mapping[str, str | tuple[int, str]]
 def over_columns(program: Program, own: Expressions, adding: bool = False, column: str = "j") -> list[str]:
     """The body of a loop over coordinates j; ``own``: the expressions of signals that are no columns of changes.
 
-    ``adding``: results are added to what is in their place; ``column``: of results that ``own`` leaves out."""
+    ``adding``: results are added to what is in their place; ``column``: of results that ``own`` leaves out.
+    """
 
     def place(name: str, k: int) -> str:
         if name not in own and name in program.outputs:

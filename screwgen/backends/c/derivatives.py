@@ -109,9 +109,9 @@ def _pieces(chain: Chain, baked: bool, place: Place) -> dict:
 def _wrenches_by_recursion(chain: Chain, baked: Sequence[dict] | None, place: Place) -> dict:
     """The derivatives of joint wrenches where links have functions of their own."""
     found = recursive_slopes.wrenches(chain, baked)
-    own = {"operations": found["operations"], "product": _products_of_wrenches(chain)}
     units = acting.units(chain, baked is not None, place)
-    programs = [*found["distinct"], *(units["programs"] if units else [])]
+    programs, count = [*found["distinct"], *(units["programs"] if units else [])], units["operations"] if units else 0
+    own = {"operations": found["operations"] + count, "product": _products_of_wrenches(chain)}
     return own | {"recursion": found, "units": units, "stumpff": slopes(programs)}
 
 

@@ -16,6 +16,7 @@ def count_pairs(chain: Chain) -> int:
 
 
 def width(ranges: Sequence[tuple[int, ...]]) -> int:
+    """How many columns some ranges have together."""
     return sum(end - first for first, end, *_ in ranges)
 
 
@@ -67,6 +68,7 @@ def behind(chain: Chain) -> list[list[tuple[int, int]]]:
 
 
 def _joined(ranges: Sequence[tuple[int, int, int]]) -> list[tuple[int, int, int]]:
+    """The same columns in fewer ranges: of those that are adjacent and as far behind their rates, one."""
     out: list[tuple[int, int, int]] = []
     for first, end, shift in ranges:
         if out and out[-1][1:] == (first, shift):

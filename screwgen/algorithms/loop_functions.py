@@ -207,7 +207,7 @@ class LoopFunctions:
         apply = lambda b: self.apply(self.chain.closing.rows[-1].second, 0, solve, {"A": mx.pack(A), "b": list(b)})["x"]  # noqa: E731
         try:
             return [apply(b) for b in wanted]
-        except SingularError:
+        except (SingularError, ZeroDivisionError):
             raise self.chain.singular_loops() from None
 
     def _curve(self, link: int, row: Ratio, q: Vector) -> loops.Curve:

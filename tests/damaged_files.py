@@ -150,7 +150,8 @@ def _mapped(path: Path) -> object:
     from screwgen.files import ArrayFileError, mapped_array
 
     try:
-        return float(np.sum(np.abs(mapped_array(path).astype(complex)), initial=0.0))
+        with np.errstate(all="ignore"):  # damaged numbers may be as large as they like
+            return float(np.sum(np.abs(mapped_array(path).astype(complex)), initial=0.0))
     except (ArrayFileError, OSError) as error:
         raise UsageError(f"{path}: {error}") from None
 

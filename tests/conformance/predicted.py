@@ -36,7 +36,8 @@ wrenches = [ {{ component = "{wrench}", limit = 5.0 }} ]
 delay = {delay}
 """
 METHODS = ("modal_midpoint", "modal_implicit")
-SMALL = 1e-3
+SMALL, LARGEST = 1e-3, 25.0
+"""Changes of coordinates; inputs, among them accelerations of a base that the judge's state has far larger."""
 
 
 def program(case: Case) -> None:
@@ -47,7 +48,7 @@ def program(case: Case) -> None:
     (case.folder / "mpc.toml").write_text(FILE.format(**said))
     c = model.mpc(case.folder / "mpc.toml", flags=QUICK)
     for stage in c.reference:
-        stage["tau"][:] = case.given[2] * rng.uniform(0.5, 1.0, model.n_tau)
+        stage["tau"][:] = np.clip(case.given[2], -LARGEST, LARGEST) * rng.uniform(0.5, 1.0, model.n_tau)
     if c.fitted.given:
         c.options["given"][:] = c.reference[0]["tau"][c.fitted.given]
     sizes = np.where(np.arange(model.nv) < model.chain.eta_v, SMALL, 0.05 * SMALL)

@@ -169,8 +169,8 @@ def outputs(case: Case, linear, q: np.ndarray, v: np.ndarray) -> None:
 def independent(case: Case, linear, q: np.ndarray, v: np.ndarray, h: float = 1e-5) -> None:
     """The slopes of independent accelerations by differences along motions that keep the loops closed.
 
-    Near a posture where a loop is singular these bend sharply: of three extrapolations the last of the two that differ
-    least counts.
+    Near a posture where a loop is singular these bend sharply, and end: there the differences are shorter; of three
+    extrapolations the last of the two that differ least counts.
     """
     (_, _, tau, w_ext), model, f, found = case.given, case.model, case.model.numpy(), accelerations_by_c(case)
     internal = model.v_names[model.nv :]
@@ -179,6 +179,7 @@ def independent(case: Case, linear, q: np.ndarray, v: np.ndarray, h: float = 1e-
     assert list(linear.state_names[2 * half :]) == internal
     others = np.setdiff1d(np.arange(model.nv), own)
     held = np.isin(np.arange(model.nq), [k for k in range(model.nq) if k - model.nq + model.nv in own])
+    h *= min(1.0, 10 * np.linalg.svd(jacobian(f, q)[:, others], compute_uv=False)[-1]) if len(others) else 1.0
 
     def accelerations(x: np.ndarray) -> np.ndarray:
         """Where these changes of independent coordinates and rates lead; the others follow."""

@@ -189,6 +189,8 @@ def _boom(row: Row) -> dict:
     if row["tendon"] != "none":
         offsets = [[0.0, 0.03, -0.02], [0.0, 0.015, 0.01]]
         boom["tendons"] = [{"name": "flexor", "from": 0.1, "to": 0.85, "at": offsets}]
+    if row["tendon"] == "tendon":
+        boom["tendons"].insert(0, {"name": "extensor", "at": [[0.0, -0.02, 0.03]] * 2, "actuated": False})
     if row["more"] == "frame":
         boom["frame_at"] = 0.3
     if row["more"] == "bodies":

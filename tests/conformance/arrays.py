@@ -1,78 +1,49 @@
-"""Rows of features such that every pair that can stand together does so in one: a covering array of strength 2."""
+"""Rows of features such that every pair that can stand together does so in one: a covering array of strength 2.
+
+The rows stand in `rows.txt`, a robot a line, so that those that are there stay as they are when a feature comes:
+`python tests/conformance/arrays.py` adds rows that hold its pairs. With `--anew` all are chosen again: fewer rows
+where many features came one after the other.
+"""
 
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
+import sys
 from functools import cache
+from pathlib import Path
 
-import covertable
+if __name__ == "__main__":
+    sys.path[0] = str(Path(__file__).parents[1])  # in place of this file's folder, whose modules have names of others
 
-from conformance.features import (
-    FACTOR_OF,
-    FACTORS,
-    FEATURES,
-    LATER,
-    LATER_PAIRS,
-    NEEDS,
-    Row,
-    conditions,
-    features,
-    pairs,
-    possible,
-    possible_pairs,
-    usual,
-)
+from conformance.features import FACTOR_OF, FACTORS, FEATURES, Row, conditions, features, possible
 
-SALT = "17"
-"""What the order of the search is drawn from: of twenty that were tried, that with the fewest rows."""
-
-TURNED = 4
-"""The level with which the rows of `beside` begin: of six that were tried, the first with regular states of all."""
+PLACE = Path(__file__).with_name("rows.txt")
+SALTS = 12
+"""The orders of the search that are tried; that with the fewest rows is taken."""
 
 
 @cache
 def covering() -> tuple[Row, ...]:
     """Rows that hold all pairs of levels that can stand together."""
-    levels = {factor: [x for x in own if x not in LATER] for factor, own in FACTORS.items()}
-    first = tuple(covertable.make(levels, strength=2, constraints=conditions(), salt=SALT))
-    return (*first, *later(first), *beside())
+    return tuple(row_of(line) for line in PLACE.read_text(encoding="utf-8").splitlines())
 
 
-def later(first: tuple[Row, ...]) -> tuple[Row, ...]:
-    """Rows for the levels of `LATER`: beside all others, pair after pair as they fit; then each alone."""
-    held = set().union(*(pairs(features(row)) for row in first), map(frozenset, LATER_PAIRS))
-    plain = {name: next(iter(own)) for name, own in FACTORS.items()}
-    out = [plain | row for row in packed(possible_pairs() - held, usual)]
-    return (*out, *({**plain, factor: level} for level, factor in LATER.items()))
+def row_of(line: str) -> Row:
+    """The row of a line: its features, separated by commas; other factors are plain."""
+    return {factor: next(iter(own)) for factor, own in FACTORS.items()} | {FACTOR_OF[x]: x for x in line.split(", ")}
 
 
-def beside() -> tuple[Row, ...]:
-    """Rows for the pairs of `LATER_PAIRS`; of the other factors they have one level after the other."""
-    out = []
-    for number, row in enumerate(packed(set(map(frozenset, LATER_PAIRS)), possible)):
-        for k, (factor, own) in enumerate(FACTORS.items()):
-            turned = (list(own)[(number + k + n + TURNED) % len(own)] for n in range(len(own)))
-            row.setdefault(factor, next(x for x in turned if possible(row | {factor: x})))
-        out.append({factor: row[factor] for factor in FACTORS})
-    return tuple(out)
+def chosen(kept: tuple[Row, ...]) -> list[Row]:
+    """Rows that hold all pairs, those that are kept first."""
+    import covertable
 
-
-def packed(wanted: set[frozenset[str]], fits: Callable[[Row], bool]) -> list[dict[str, str]]:
-    """Rows of some factors that hold these pairs, pair after pair as they fit."""
-    left, out = sorted(wanted, key=sorted), list[dict[str, str]]()
-    while left:
-        row: dict[str, str] = {}
-        for pair in left:
-            more = {FACTOR_OF[x]: x for x in pair}
-            if all(row.get(factor, x) == x for factor, x in more.items()) and fits(row | more):
-                row |= more
-        for level, needed in NEEDS.items():
-            if level in row.values():
-                row.setdefault(FACTOR_OF[needed[0]], needed[0])
-        out.append(row)
-        left = [pair for pair in left if not pair <= set(row.values())]
-    return out
+    levels = {factor: list(own) for factor, own in FACTORS.items()}
+    found = []
+    for salt in map(str, range(SALTS)):
+        rows = covertable.make(levels, constraints=conditions(), salt=salt, presets=[dict(row) for row in kept])
+        found.append([*kept, *(row for row in rows if row not in kept)])
+        print(f"{len(found)} of {SALTS}: {len(found[-1])} rows", flush=True)
+    return min(found, key=len)
 
 
 @cache
@@ -90,5 +61,11 @@ def random_rows(count: int, seed: int = 0) -> tuple[Row, ...]:
     rng, out = random.Random(seed), []
     while len(out) < count:
         row = {factor: rng.choice(list(levels)) for factor, levels in FACTORS.items()}
-        out += [row] if usual(row) else []
+        out += [row] if possible(row) else []
     return tuple(out)
+
+
+if __name__ == "__main__":
+    rows = chosen(() if "--anew" in sys.argv else covering())
+    lines = [", ".join(features({factor: row[factor] for factor in FACTORS})) for row in rows]
+    PLACE.write_text("\n".join(lines) + "\n", encoding="utf-8")

@@ -44,7 +44,7 @@ FACTORS: dict[str, dict[str, str]] = {
     "damping": {"undamped": "", "ratio": "damping by a ratio", "time": "damping of the material"},
     "tendon": {
         "none": "",
-        "tendon": "a tendon along a link",
+        "tendon": "a tendon along a link, beside one that is not actuated",
         "shared tendon": "a tendon along two links",
     },
     "fore": {
@@ -149,16 +149,6 @@ BUILT_OTHERWISE: dict[tuple[str, str], str] = {
 }
 """Pairs that the two links of the matrix leave no place for; another robot may have them."""
 
-LATER: dict[str, str] = {"compliant loop": "closing", "Dahl": "friction", "limited rate": "axis", "contact": "force"}
-"""Levels with rows of their own, by factor: those that came after the array was chosen, whose rows would all change."""
-
-LATER_PAIRS: tuple[tuple[str, str], ...] = (
-    *(("ball", drive) for drive in list(FACTORS["drive"])[1:]),
-    *(("ball", friction) for friction in list(FACTORS["friction"])[1:] if friction not in LATER),
-    *(("ball", axis) for axis in ("spring", "stops", "limited")),
-)
-"""Pairs with rows of their own, in which the other factors have levels too: they were refused when it was chosen."""
-
 NEEDS: dict[str, tuple[str, ...]] = {
     "shared tendon": ("rod", "curved fore"),
     "loaded friction": ("elastic gear",),
@@ -176,18 +166,12 @@ def possible(row: Row) -> bool:
     )
 
 
-def usual(row: Row) -> bool:
-    """Whether it can be built and no pair of it is one of `LATER_PAIRS`."""
-    chosen = set(row.values())
-    return possible(row) and not any(chosen.issuperset(pair) for pair in LATER_PAIRS)
-
-
 def conditions() -> list[dict]:
-    """The same as conditions of `covertable`: of each pair that cannot stand together or came later, and each need."""
+    """The same as conditions of `covertable`: of each pair that cannot stand together, and each need."""
     is_ = lambda level: {"operator": "eq", "left": FACTOR_OF[level], "value": level}  # noqa: E731
     never = [
         {"operator": "not", "condition": {"operator": "and", "conditions": [is_(a), is_(b)]}}
-        for a, b in (*IMPOSSIBLE, *BUILT_OTHERWISE, *LATER_PAIRS)
+        for a, b in (*IMPOSSIBLE, *BUILT_OTHERWISE)
     ]
     needs = [
         {"operator": "or", "conditions": [{"operator": "not", "condition": is_(level)}, *map(is_, needed)]}

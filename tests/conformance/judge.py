@@ -95,8 +95,9 @@ class Judge:
         out: dict[str, ca.SX] = {}
         for link, table, modal in zip(self.oracle.links, self.twin["links"], self.oracle.modal_slices, strict=True):
             for tendon in table.get("tendons", []):
-                length = tendon_length(link, self.twin | table, tendon, self.oracle.q[modal])
-                out[tendon["name"]] = out.get(tendon["name"], 0) + length
+                if tendon.get("actuated", True):
+                    length = tendon_length(link, self.twin | table, tendon, self.oracle.q[modal])
+                    out[tendon["name"]] = out.get(tendon["name"], 0) + length
         return out
 
     @cached_property

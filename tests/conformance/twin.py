@@ -61,6 +61,8 @@ def _piece(link: dict, i: int, k: int) -> dict:
         piece |= {"parent": f"{link['name']}_{i - 1}", "joint": {"axes": []}}
     tendons = []
     for tendon in link.get("tendons", []):
+        if not tendon.get("actuated", True):
+            continue
         a, b = tendon.get("from", 0.0), tendon.get("to", 1.0)
         start, to = max(a, first), min(b, last)
         if start < to:

@@ -17,7 +17,7 @@ from ..planning.limits import motion_limits
 from ..planning.make import law_of
 from ..planning.members import Still
 from ..planning.plan import MotionPlan
-from ..planning.refusals import PLANNED, refuse_robot
+from ..planning.refusals import BY_MOTION, PLANNED, refuse_robot
 from ..planning.task import MotionLimits
 from ..robot_model import RobotModel
 from ..simulation.measured import strain as strains
@@ -86,7 +86,7 @@ def excite(
     The motion is run on the model under its law. Raises UsageError where the run breaks a limit, which it names, or
     where an argument makes no sense.
     """
-    refuse_robot(model, "excitation", "state a motion of your own", PLANNED, loops=True)
+    refuse_robot(model, "excitation", "state a motion of your own", (*PLANNED, BY_MOTION), loops=True)
     m, time, step = model.n_joints, seconds(time, "time"), seconds(step, "step")
     bounds = _limits(model, limits or {}, strain)
     p = np.asarray(model.chain.parameters.values)

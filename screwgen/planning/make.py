@@ -20,7 +20,7 @@ from .followed import within_efforts
 from .limits import HEADROOM, motion_limits
 from .members import PlannedModel, Still, member
 from .plan import MotionPlan
-from .refusals import check_ends, no_fast_plan, no_plan, passed_by_friction, refuse_robot
+from .refusals import BY_MOTION, check_ends, no_fast_plan, no_plan, passed_by_friction, refuse_robot
 from .shortest import shortest
 from .solve import Found, Progress, solve
 from .task import JointLaw, Task
@@ -66,7 +66,7 @@ def plan(
 
     Raises UsageError, which names the limit where one forbids the motion.
     """
-    refuse_robot(model)
+    refuse_robot(model, refused=(BY_MOTION,))
     m, began = model.n_joints, clock.perf_counter()
     bounds, law = motion_limits(model, limits or {}, gains), law_of(gains, m, bool(models))
     intervals = whole(intervals, "intervals", LEAST, LARGEST)

@@ -28,6 +28,8 @@ ROUNDING = 1e-9
 TRANSMISSIONS, GIVEN = "transmissions", "axes whose motion is given"
 PLANNED = (TRANSMISSIONS, GIVEN, "brakes", "tendons or other inputs")
 """Features of robots for which there are plans, and not every other tool for motions."""
+BY_MOTION = "drives whose steps hold what their motion allows"
+"""A feature for which there are other tools, and no plans: what such a drive can give is no limit that is stated."""
 
 
 def refuse_robot(
@@ -56,9 +58,10 @@ def refuse_robot(
         "tendons or other inputs": chain.n_tau != chain.n_joints,
         "internal states": bool(chain.n_internal or chain.n_force_states),
         "no joints": not chain.n_joints,
+        BY_MOTION: chain.holds_by_motion,
     }
     for feature, there in others.items():
-        if there and (feature in refused or feature not in PLANNED):
+        if there and (feature in refused or feature not in (*PLANNED, BY_MOTION)):
             raise UsageError(f"robot '{model.robot.name}' has {feature}, for which there is no {what} yet; {instead}")
 
 

@@ -9,7 +9,7 @@ from fmi_units import Unit
 from helpers import arm, link, model_of, quick, quick_batch, relative
 from outside import filters_agree
 
-from screwgen import LimitWarning, rollout, simulate, sweep
+from screwgen import LimitWarning, UsageError, plan, rollout, simulate, sweep
 from screwgen.backends.fmi.variables import METHOD
 from screwgen.backends.numpy.held import HeldChain
 from screwgen.elements import HeldLaw, key
@@ -158,6 +158,13 @@ def test_a_run_records_what_acted():
         asked = np.array([law(t, None, None) for t in run.t])
         assert relative(run.tau, within(run.v, asked)) < 1e-12
         assert relative(run.drive_power[:, 0], run.tau[:, 0] * run.v[:, 0]) < 1e-12
+
+
+def test_there_is_no_plan_for_them():
+    """A search knows limits, and not what is left of a torque at a rate."""
+    one = model_of(arm(link("upper", 0.7, ("z",), joint={"elements": CURVES[0], "limits": [{"effort": 4.0}]})))
+    with pytest.raises(UsageError, match="whose steps hold what their motion allows, for which there is no plan yet"):
+        plan(one, [0.0], [0.5], 2.0)
 
 
 def test_filters_know_them():

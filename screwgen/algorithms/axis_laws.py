@@ -83,7 +83,7 @@ def axis_energy(s: Scope, q: Vector) -> Value:
         z, constants = s.read("z")[k], _constants(s, one.law, one.labels)
         assert one.law.bristle is not None
         bent = one.law.bristle(s.tracer, float(one.side), 0.0, 0.0, z, *[0.0] * one.law.beside, *constants)
-        total = total + bent.stiffness * (z * z)
+        total = total + bent.stiffness * (z * z) / bent.sticks
     for law, _, axis, side, labels in _on_axes(s):
         total = total + law.energy(s.tracer, float(side), q[axis], *_constants(s, law, labels))
     return total

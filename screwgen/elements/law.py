@@ -48,12 +48,14 @@ class Bristle(NamedTuple):
 
     An example: bristles between two bodies that stick. They bend as these move, and stop bending where they slip. Over
     a step of length h they are taken at its end, ``(z + h gain w) / (1 + h decay)``, which is linear in the rate w.
+    ``sticks``: the gain while nothing slips; the energy ``stiffness z² / (2 sticks)`` is stored.
     """
 
     stiffness: Any
     damping: Any
     gain: Any
     decay: Any
+    sticks: Any = 1.0
 
 
 class Law(Hashable, Protocol):

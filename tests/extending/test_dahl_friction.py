@@ -70,3 +70,27 @@ def test_it_holds_a_slide_that_a_plain_arm_lets_fall():
     weight = -model.numpy().inverse_dynamics(run.q[-1], [0.0], [0.0], None)[0]
     assert 0 < -run.q[-1, 0] < 0.05 and abs(weight) < 60.0
     assert abs(run.q[-1, 0] - run.q[len(run.t) // 2, 0]) < 1e-9
+
+
+@dataclass(frozen=True)
+class InHalves(Dahl):
+    """The same with a state of twice the size: its gain is 2, its stiffness a half."""
+
+    KIND = "halves"
+
+    @staticmethod
+    def bristle(t, x, w, z, stiffness, coulomb):
+        same = Dahl.bristle(t, x, w, z / 2, stiffness, coulomb)
+        return Bristle(same.stiffness / 2, 0.0, 2.0, same.decay, sticks=2.0)
+
+
+def test_the_size_of_a_state_is_a_choice():
+    """Motion and energy are the same."""
+    one, other = dressed(), dressed(InHalves(DAHL.stiffness, DAHL.coulomb))
+    q, v, z = 0.01 * np.arange(1.0, one.nq + 1), 0.3 * np.cos(np.arange(one.nv)), np.array([0.02, -0.015])
+    tau, w_ext = np.array([0.4, -0.3, 2.0]), np.zeros((2, 6))
+    first = one.numpy().forward_dynamics(q, np.append(v, z), tau, w_ext)[0]
+    second = other.numpy().forward_dynamics(q, np.append(v, 2 * z), tau, w_ext)[0]
+    assert np.allclose(second * np.where(np.arange(len(second)) < one.nv, 1.0, 0.5), first, rtol=1e-12, atol=1e-12)
+    stored = [model.numpy().energy(q, np.append(v, x))[1] for model, x in ((one, z), (other, 2 * z))]
+    assert stored[1] == pytest.approx(stored[0], rel=1e-12)

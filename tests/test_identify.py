@@ -16,6 +16,7 @@ from screwgen.identification.problem import Problem
 from screwgen.identification.signals import signal
 from screwgen.identification.solve import Fit
 from screwgen.identification.unknowns import FreeNumber, Unknowns
+from screwgen.simulation.rollout_loops import ARRAYS
 from screwgen.spec.columns import Column, load_columns
 
 
@@ -235,3 +236,9 @@ def test_a_stiff_mode_that_a_column_reads_may_ring():
     run = screwgen.simulate(model, 0.04, 1e-3, q0=[-1.5, 5e-3, 0.01], **more)
     found = screwgen.identify(model, run, free=["rod.bodies[0].mass"])
     assert found["rod.bodies[0].mass"].value == pytest.approx(0.44, rel=1e-6)
+
+
+@pytest.mark.parametrize("name", ARRAYS)
+def test_functions_of_arrays_give_arrays_of_numbers(name):
+    """Objects would be no argument of a root of them."""
+    assert ARRAYS[name](np.array([[0.3, 0.4]])).dtype.kind in "fi"

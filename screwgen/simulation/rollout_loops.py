@@ -18,7 +18,7 @@ BLOCK = 1 << 14
 """States that are looked at together."""
 STRIDE = 64
 """How far apart the samples are that are looked at first."""
-ARRAYS: dict[str, Callable] = {name: np.frompyfunc(function, 1, 1) for name, function in NAMESPACE.items()}
+ARRAYS: dict[str, Callable] = {name: np.vectorize(function, otypes=[float]) for name, function in NAMESPACE.items()}
 ARRAYS |= {"sin": np.sin, "cos": np.cos, "sqrt": np.sqrt, "neg": np.negative, "on": lambda x: (x > 0) * 1.0}
 
 

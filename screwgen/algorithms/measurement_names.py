@@ -42,14 +42,18 @@ def _at_marker(chain: Chain, name: str, place: str) -> Measurement:
     makers = {"strain": _strain_at, **{row.name: partial(_at, row) for row in AT_MARKERS}}
     by_name = {marker.name: marker for marker in chain.markers}
     marker = by_name[choice(place, by_name, f"{name}@{place}: there is no marker")]
-    return makers[choice(name, makers, "at markers there is no measurement")](chain, marker)
+    row = makers[choice(name, makers, "at markers there is no measurement")](chain, marker)
+    return _offered(row, chain, f"{name}@{place}")
 
 
 def _of_robot(chain: Chain, name: str) -> Measurement:
     rows = {row.name: row for row in (*ROWS, *AT_MARKERS, *FURTHER)}
-    row = rows[choice(name, rows, "there is no measurement")]
+    return _offered(rows[choice(name, rows, "there is no measurement")], chain, name)
+
+
+def _offered(row: Measurement, chain: Chain, said: str) -> Measurement:
     if not row.offered(chain):
-        raise UsageError(f"{name}: robot '{chain.robot.name}' has {row.missing or 'no such thing'}; leave it out")
+        raise UsageError(f"{said}: robot '{chain.robot.name}' has {row.missing or 'no such thing'}; leave it out")
     return row
 
 

@@ -161,6 +161,7 @@ AT_MARKERS: tuple[Measurement, ...] = (
     Measurement(
         *("accelerometer", "q v vdot", sensors.felt, AXES, "m/s^2", FELT, (ACCELERATING,)),
         offered=lambda chain: not chain.falls,
+        missing="an input that changes free fall, which accelerometers do not feel yet",
     ),
     Measurement(
         "marker_position", "q", lambda f, q: f.marker_poses(q)[1], AXES, "m", "in the inertial frame", (PLACED,)

@@ -15,6 +15,7 @@ from scipy.integrate import simpson
 from screwgen import Input, Robot, RobotFileError, UsageError, derive, dump, equilibrium, simulate
 from screwgen.backends.latex.document import document
 from screwgen.plotting.run_panels import panels
+from screwgen.simulation.estimator import Estimator
 
 
 @dataclass(frozen=True)
@@ -120,6 +121,9 @@ def test_what_does_not_know_it_says_so():
         Robot(**robot(3.0))
     with pytest.raises(RobotFileError, match=r'inputs.1.: is "an accelerated base" again; leave one of them out'):
         Robot(**robot(BaseAcceleration(), BaseAcceleration()))
+    for asked in ("accelerometer", "accelerometer@upper.tip"):
+        with pytest.raises(UsageError, match=f"^{asked}: .* an input that changes free fall, which accel"):
+            Estimator(MODEL, measurements=[asked])
     named = {"names": lambda self, robot: [f"base.force[{k}]" for k in range(3)]}
     with pytest.raises(UsageError, match=r"inputs: 'base.force\[0\]' is a name that the product's own inputs have"):
         derive(Robot(**robot(type("Pushed", (BaseAcceleration,), named)())))

@@ -62,7 +62,7 @@ def test_steps_are_those_of_the_torque_that_is_left(method):
     found = np.concatenate(quick(MODEL).step(q, v, tau, np.zeros((1, 6)), 1e-3, method))
     quick_batch(MODEL)
     with pytest.warns(
-        LimitWarning, match=r"arm.torque\[0\] was held at the limit of its effort, at the limit of its rate"
+        LimitWarning, match=r"arm.torque\[0\] was held at the limit of its effort or at the limit of its rate"
     ):
         ran = rollout(MODEL, np.r_[q, v], tau, step=1e-3, steps=1, integrator=method)
     assert relative(found[:2], want) < 1e-13

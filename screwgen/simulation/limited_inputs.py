@@ -87,7 +87,7 @@ class LimitedInputs:
 
     def warn(self, model: RobotModel, stacklevel: int = 2) -> None:
         """A :class:`LimitWarning` for each axis whose input was held otherwise; ``stacklevel`` as of a function."""
-        said = [", ".join(dict.fromkeys(law.SAID for law in laws)) for laws in model.chain.laws_of_inputs]
+        said = [" or ".join(dict.fromkeys(law.SAID for law in laws)) for laws in model.chain.laws_of_inputs]
         for k in np.flatnonzero(self.count):
             share = f"{100 * self.count[k] / self.samples:.3g} % of the samples, first at t = {self.first[k]:.6g} s"
             what = f"{model.tau_names[k]} was held {said[k]}: in {share}"

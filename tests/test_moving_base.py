@@ -76,7 +76,8 @@ def test_in_a_state_it_is_a_cart_of_slides_and_hinges(seed):
         """Attitude at a time, and the twist in its axes."""
         at, rate = x + t * v + t * t / 2 * a, v + t * a
         z, y, roll = (Rotation.from_euler(axis, angle) for axis, angle in zip("ZYX", at[3:], strict=True))
-        omega = roll.inv().apply(y.inv().apply([0.0, 0.0, rate[3]]) + [0.0, rate[4], 0.0]) + [rate[5], 0.0, 0.0]
+        omega = roll.inv().apply(np.add(y.inv().apply([0.0, 0.0, rate[3]]), [0.0, rate[4], 0.0]))
+        omega[0] += rate[5]
         return z * y * roll, np.append(omega, (z * y * roll).inv().apply(rate[:3]))
 
     h, (turn, w[:6]) = 1e-3, turned(0.0)

@@ -49,3 +49,12 @@ def lines(model: Model, q: np.ndarray, v: np.ndarray, rest: float = 1.0) -> np.n
 
 def sprung_model(rest: float = 1.0) -> Model:
     return model_of(sprung(rest))
+
+
+def touching() -> Model:
+    """A tip that presses on a plane of the link before, and on a sphere of the world; the links bend."""
+    robot = sprung() | {"name": "touching"}
+    law = {"radius": 0.12, "stiffness": 300.0, "width": 0.01}
+    wall = {"between": ["lower.tip", "upper.tip"], "contact": law | {"normal": [0.3, -1.0, 0.8]}}
+    ball = {"between": ["lower.tip", {"world": [0.9, 0.3, 0.4]}], "contact": law | {"other": 0.3}}
+    return model_of(robot | {"forces": [wall | {"name": "wall"}, ball | {"name": "ball"}]})

@@ -79,6 +79,8 @@ def test_motion_and_effort_are_each_other_s_inverse():
         effort = told.numpy().drive_effort(q, v, tau, w_ext)
         again, borne = free.numpy().forward_dynamics(q, v, effort, w_ext)
         assert vdot[[0, 3]] == pytest.approx(tau[[0, 2]], abs=1e-15) and effort[1] == tau[1]
+        force = free.numpy().inverse_dynamics(q, v, vdot, w_ext)
+        assert np.abs(force - [*effort[:2], 0.0, effort[2], *np.zeros(4)]).max() < 1e-12 * np.abs(force).max()
         scale = np.abs(free.numpy().mass_matrix(q)).max() / np.abs(np.diag(free.numpy().mass_matrix(q))).min()
         assert np.abs(again - vdot).max() < 1e-13 * scale * np.abs(vdot).max()
         assert np.abs(borne - wrench).max() < 1e-12 * scale * np.abs(wrench).max()

@@ -174,6 +174,16 @@ def test_a_rope_catches_and_lets_go():
     assert (run.t > 2 * falls + swings).any() and np.abs(run.q[:, 1] - height).max() < 1e-5
 
 
+def test_springs_keep_their_energy_to_the_order_of_rk4():
+    """A mass that swings in a plane: half the step leaves a sixteenth of what is gained or lost at most, or less."""
+    spring = {"between": ["block.tip", {"world": [0.3, 0.0, 1.5]}], "line": {"stiffness": 300.0, "rest": 1.0}}
+    model, lost = model_of(block(spring)), []
+    for step in (5e-3, 2.5e-3):
+        total = screwgen.simulate(model, 1.0, step, v0=[0.5, 0.3], integrator="rk4").energy.sum(axis=1)
+        lost.append(np.abs(total - total[0]).max())
+    assert lost[1] < 1e-6 and lost[0] > 15 * lost[1], lost
+
+
 def test_drag_leaves_a_terminal_velocity():
     m, g, b = 2.0, 9.81, 0.8
     model = model_of(block({"between": ["block.tip", "world"], "drag": {"quadratic": b}}))

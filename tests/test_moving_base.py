@@ -62,6 +62,35 @@ def test_a_run_is_that_on_a_cart_of_slides_and_hinges():
     assert off[1e-3] < 2e-7 and off[2e-3] / off[1e-3] == pytest.approx(4.0, rel=0.02)
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_in_a_state_it_is_a_cart_of_slides_and_hinges(seed):
+    """Where both move and accelerate alike: accelerations of all others, wrenches, and what the base takes."""
+    given, rng = {"actuation": ["motion"] * 3}, np.random.default_rng(seed)
+    slides = {"name": "cart", "bodies": [BODY | {"mass": 0.0, "inertia": None}]}
+    slides["joint"] = {"axes": [{"slide": x} for x in "xyz"]} | given
+    cart = carried([slides, {"name": "gimbal", "bodies": [BODY], "joint": {"axes": ["z", "y", "x"]} | given}])
+    x, v, a = rng.uniform(-1, 1, 6), rng.normal(size=6), rng.normal(size=6)
+    hull, (q, w, tau, w_ext) = moving(), state(moving(), seed)
+
+    def turned(t: float) -> tuple[Rotation, np.ndarray]:
+        """Attitude at a time, and the twist in its axes."""
+        at, rate = x + t * v + t * t / 2 * a, v + t * a
+        z, y, roll = (Rotation.from_euler(axis, angle) for axis, angle in zip("ZYX", at[3:], strict=True))
+        omega = roll.inv().apply(np.add(y.inv().apply([0.0, 0.0, rate[3]]), [0.0, rate[4], 0.0]))
+        omega[0] += rate[5]
+        return z * y * roll, np.append(omega, (z * y * roll).inv().apply(rate[:3]))
+
+    h, (turn, w[:6]) = 1e-3, turned(0.0)
+    q[:7] = np.append(x[:3], turn.as_quat(scalar_first=True))
+    after = [turned(k * h)[1] for k in (-2, -1, 1, 2)]
+    tau[3:] = (8 * (after[2] - after[1]) - (after[3] - after[0])) / (12 * h)
+    vdot, wrench = hull.numpy().forward_dynamics(q, w, tau, w_ext)
+    beside = np.append(x, q[7:]), np.append(v, w[6:]), np.append(a, tau[:3])
+    expected = cart.numpy().forward_dynamics(*beside, np.vstack([np.zeros(6), w_ext]))
+    assert relative(vdot[6:], expected[0][6:]) < 1e-11 and relative(wrench[1:], expected[1][2:]) < 1e-11
+    assert relative(hull.numpy().drive_effort(q, w, tau, w_ext)[3:], expected[1][1]) < 1e-11
+
+
 @pytest.mark.parametrize("form", ["forward_dynamics", "dae_forward_dynamics"])
 def test_at_rest_it_turns_gravity(form):
     """And steady acceleration is less of it: as a passenger of a lift knows."""

@@ -7,7 +7,7 @@ from base64 import b64decode
 import numpy as np
 import pytest
 from dressed_arm import still
-from force_robots import ends, sprung_model, state
+from force_robots import ends, sprung_model, state, touching
 from helpers import ROOT, arm, link, model_of
 from scipy.spatial.transform import Rotation
 
@@ -244,6 +244,29 @@ def test_springs_and_ropes_are_drawn_from_end_to_end_and_ropes_as_long_as_they_a
     whole = len(lines.faces(line, *lines.ends(line, r), actor.down, spare)[0])
     wire = faces[-whole:][: lines.SIDES * (len(found) - 1)].reshape(len(found) - 1, lines.SIDES, 4, 3).mean(axis=1)
     assert np.linalg.norm(wire[:, 3] - wire[:, 0], axis=1).sum() == pytest.approx(long, rel=1e-6)
+
+
+def test_what_touches_is_drawn_where_the_law_has_it():
+    """Spheres are as far from a plane, which a link carries, and from each other as their depths say."""
+    model, law = touching(), {"radius": 0.12, "other": 0.3}
+    (q, v), names = state(model), list(model.force_quantities)
+    found, (R, r) = scene(model)["surfaces"], model.numpy().tip_poses(q)
+    poses = [(np.eye(3), np.zeros(3)) if x["link"] < 0 else (R[x["link"]], r[x["link"]]) for x in found]
+    centres = [at + turn @ x["at"] for x, (turn, at) in zip(found, poses, strict=True)]
+    assert [x.get("ball") for x in found] == [0.12, *[None] * 5, 0.12, 0.3]
+    depth = dict(zip(names, model.numpy().force_quantities(q, v), strict=True))
+    wall = found[1]
+    normal = poses[1][0] @ Rotation.from_quat(wall["turn"]).as_matrix()[:, 0]
+    gap = (centres[0] - centres[1]) @ normal - wall["box"][0] / 2 - law["radius"]
+    assert gap == pytest.approx(-depth["wall.depth"], abs=1e-12)
+    gap = np.linalg.norm(centres[6] - centres[7]) - law["radius"] - law["other"]
+    assert gap == pytest.approx(-depth["ball.depth"], abs=1e-12)
+    actor = Actor(still(model, q), model, "", 1.0)
+    assert len(actor.faces(q)) == len(actor.colors)
+    drawn = actor.faces(q).reshape(-1, 3)
+    for k in (0, 7):
+        from_centre = np.linalg.norm(drawn - centres[k], axis=1)
+        assert (np.abs(from_centre - found[k]["ball"]) < 1e-9).sum() > 500
 
 
 @pytest.mark.parametrize(("q", "hangs"), [(0.0, False), (1.3, True), (-1.3, False)])

@@ -7,7 +7,7 @@ import pytest
 from browser import Browser
 from conftest import package, require_tool
 from dressed_arm import corners, dressed, posture, still
-from force_robots import sprung_model, state
+from force_robots import sprung_model, state, touching
 from helpers import ROOT, arm, link, model_of
 from scipy.spatial.transform import Rotation
 
@@ -272,4 +272,15 @@ def test_lines_of_forces_are_those_of_films(browser, tmp_path, factor):
         else:
             from_axis = [np.linalg.norm(np.cross(x - near, far - near), axis=1) for x in (points, expected)]
             assert from_axis[0] == pytest.approx(from_axis[1], abs=1e-4) and from_axis[0].max() > 5e-3
+    quiet(browser)
+
+
+def test_what_touches_is_where_films_have_it(browser, tmp_path):
+    model = touching()
+    q, _ = state(model)
+    opened(browser, tmp_path, view(still(model, q)))
+    browser.run("screwgen.seek(0.5)")
+    (R, r), found = model.numpy().tip_poses(q), Actor(still(model, q), model, "", 1.0).scene["surfaces"]
+    expected = [x["at"] if x["link"] < 0 else r[x["link"]] + R[x["link"]] @ x["at"] for x in found]
+    assert np.array(browser.run("screwgen.touching()")) == pytest.approx(np.array(expected), abs=2e-5)
     quiet(browser)

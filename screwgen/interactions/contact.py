@@ -95,7 +95,7 @@ class Contact(Interaction):
 
     @staticmethod
     def drawn(has: Collection[str]) -> str:
-        return "none"
+        return "contact"
 
     @staticmethod
     def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:

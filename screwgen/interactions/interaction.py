@@ -234,7 +234,7 @@ class Interaction:
     @staticmethod
     def drawn(has: Collection[str]) -> str:
         """How pictures draw it between its ends: as a ``spring``, as a ``rope``, which hangs where it is longer than
-        its way, or as a ``line``; with ``none`` sketches alone join the ends."""
+        its way, or as a ``line``; sketches alone join them with ``none``, and with ``contact``, which touches."""
         return "line"
 
     @staticmethod

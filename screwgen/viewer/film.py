@@ -20,7 +20,7 @@ from . import lines
 from .actuators import eyes
 from .meshes import Looks, placed
 from .scene import scene
-from .solids import AROUND, DARK_METAL, METAL, Bend, Solid, solids, strut, thinnest
+from .solids import AROUND, DARK_METAL, METAL, Bend, Solid, solids, strut, thinnest, touching
 
 PAPER, INK, SOFT, GRID, SHADOW = "#f5f6f8", "#1d2733", "#5d6b7a", "#c3cad3", "#dfe3e8"
 LIGHT = np.array([0.35, 0.25, 1.0])
@@ -75,7 +75,7 @@ class Actor:
             for i, link in enumerate(links)
             for x in solids(self.scene, i)
             if not (any(k < 0 for k, _ in worn) if x.to == "world" else link["owner"] in over)
-        ] + worn
+        ] + [*worn, *touching(self.scene)]
         thick = 1.3 * thinnest(links, self.scene["size"])
         self.cylinders = [(i, x, thick) for i, link in enumerate(links) for x in link["cylinders"]]
         bars = [color for _ in self.cylinders for color in (DARK_METAL, METAL) for _ in range(AROUND)]

@@ -27,7 +27,7 @@ def lines(model: Model, values: Mapping[str, float], tips: np.ndarray, thin: flo
     `values`: the parameters by name; `tips` (n, 3): those of all links at first, m; `thin`: the least radius of a tube.
     """
     for force, placed in zip(model.robot.acting_forces, model.chain.forces, strict=True):
-        if placed.shape.drawn == "none":
+        if placed.shape.drawn not in PLACES:
             continue
         point = [values[f"{force.name}.world[{k}]"] for k in range(3)] if force.point else []
         own = [{"link": -1, "at": point} if i is None else {"link": i} for i in placed.ends]

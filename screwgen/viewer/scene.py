@@ -24,6 +24,7 @@ from .lines import lines
 from .pack import floats
 from .shapes import FINE, at_rest, sections, strains
 from .solids import thinnest
+from .surfaces import surfaces
 
 ROWS = 25
 """Sections at which a flexible link is drawn; links with segments have about as many in all."""
@@ -104,8 +105,9 @@ def scene(model: Model, p: np.ndarray | None = None, q: np.ndarray | None = None
         )
     gravity = [float(x) for x in numeric.p[:3]]
     thin = thinnest(links, size)
-    started = numeric.tip_poses(np.array(rest if q is None else q, float))[1]
-    whole: dict[str, Any] = {"lines": list(lines(model, values, started, thin)), "links": links}
+    started = numeric.tip_poses(np.array(rest if q is None else q, float))
+    whole: dict[str, Any] = {"lines": list(lines(model, values, started[1], thin)), "links": links}
+    whole["surfaces"] = list(surfaces(model, values, started, size))
     whole |= {"name": robot.name, "size": size, "gravity": gravity, "nq": model.nq, "closed": bool(robot.rigid_loops)}
     return whole
 

@@ -101,12 +101,12 @@ def solids(scene: dict[str, Any], i: int) -> Iterator[Solid]:
     if not link["welded"] and link["screws"]:
         radius, base = 1.55 * max(link["radius"], thin), np.array(link["base"])
         slide = not link["screws"][0]["turn"]
-        turn = _along(link["screws"][0 if slide else -1]["axis"])
+        turn = turn_along(link["screws"][0 if slide else -1]["axis"])
         shape = _box(np.array([3.0, 2.2, 2.2]) * radius) if slide else _ring(radius, radius, 3.2 * radius)
         yield _hull(base + shape @ turn.T, DARK_METAL)
     if link["parent"] < 0 and link["moves"] != "free":
         radius, up = 0.035 * size, np.array(scene["gravity"]) * (1.0 if link["hangs"] else -1.0)
-        turn = _along(up if up.any() else np.array([0.0, 0.0, 1.0]))
+        turn = turn_along(up if up.any() else np.array([0.0, 0.0, 1.0]))
         cone = _ring(1.25 * radius, 0.8 * radius, 0.9 * radius) - [
             0.45 * radius + (1.2 * thin if link["screws"] else 0.0),
             0,
@@ -114,18 +114,29 @@ def solids(scene: dict[str, Any], i: int) -> Iterator[Solid]:
         ]
         yield _hull(np.array(link["mount"]["at"]) + cone @ turn.T, DARK_METAL, "world")
     for body in link["bodies"]:
-        at = np.array(body["at"]) + (0.0 if body["tip"] else np.array(link["base"]))
-        if "box" in body:
-            shape = _box(np.maximum(body["box"], 1e-3 * size)) @ Rotation.from_quat(body["turn"]).as_matrix().T
-        else:
-            shape = body["ball"] * _sphere()
-        yield _hull(at + shape, METAL, "tip" if body["tip"] else "frame")
+        at = np.array([0.0] * 3 if body["tip"] else link["base"])
+        yield _hull(at + _corners(body, size), METAL, "tip" if body["tip"] else "frame")
+
+
+def touching(scene: dict[str, Any]) -> list[tuple[int, Solid]]:
+    """What touches, with the links to which it is fixed, -1 for the world; what is clear is left to the page."""
+    own = [x for x in scene["surfaces"] if not x.get("clear")]
+    size = scene["size"]
+    return [(x["link"], _hull(_corners(x, size), METAL, "world" if x["link"] < 0 else "tip")) for x in own]
+
+
+def _corners(body: dict[str, Any], size: float) -> np.ndarray:
+    """Of a box or of a ball about its place."""
+    at = np.array(body["at"])
+    if "box" in body:
+        return at + _box(np.maximum(body["box"], 1e-3 * size)) @ Rotation.from_quat(body["turn"]).as_matrix().T
+    return at + body["ball"] * _sphere()
 
 
 def _tube(link: dict[str, Any]) -> Solid:
     count, last = AROUND, len(link["places"]) - 1
     angle = 2 * np.pi * np.arange(count) / count
-    ring = link["radius"] * np.column_stack([0 * angle, np.cos(angle), np.sin(angle)]) @ _along(link["reach"]).T
+    ring = link["radius"] * np.column_stack([0 * angle, np.cos(angle), np.sin(angle)]) @ turn_along(link["reach"]).T
     points = np.concatenate([np.tile(ring, (last + 1, 1)), np.zeros((2, 3))])
     rows = np.append(np.repeat(np.arange(last + 1.0), count), [0.0, last])
     a, b = np.arange(count), (np.arange(count) + 1) % count
@@ -149,7 +160,7 @@ def _thread(link: dict[str, Any], tendon: dict[str, Any], radius: float) -> Soli
 def strut(near: np.ndarray, far: np.ndarray, radius: float) -> np.ndarray:
     """The faces (F, 4, 3) of a bar between two points, of which there are always as many."""
     way = far - near
-    turn = _along(way if way.any() else AHEAD)
+    turn = turn_along(way if way.any() else AHEAD)
     angle = 2 * np.pi * np.arange(AROUND) / AROUND
     ring = radius * np.column_stack([0 * angle, np.cos(angle), np.sin(angle)]) @ turn.T
     points = np.concatenate([near + ring, far + ring])
@@ -163,7 +174,7 @@ def _sides(around: int, rings: int) -> np.ndarray:
     return np.concatenate([np.column_stack([k + a, k + b, k + around + b, k + around + a]) for k in starts])
 
 
-def _along(way: Any) -> np.ndarray:
+def turn_along(way: Any) -> np.ndarray:
     """A rotation (3, 3) whose x axis is along `way`."""
     x = np.asarray(way, float) / np.linalg.norm(way)
     y = np.cross(np.eye(3)[2 if abs(x[2]) < 0.9 else 0], x)

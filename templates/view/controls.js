@@ -130,6 +130,7 @@ window.screwgen = {
   eyes: (link) => robot.parts[link].cylinders.map((cylinder) => cylinder.eyes),
   /** The points at which the lines of forces are drawn, inertial frame, m. */
   lines: () => robot.lines.map((line) => line.points),
+  touching: () => robot.touching.map((mesh) => world.worldToLocal(mesh.getWorldPosition(new THREE.Vector3())).toArray()),
   /** What the last picture asked of the graphics: calls and triangles. */
   cost: () => ({ calls: renderer.info.render.calls, triangles: renderer.info.render.triangles }),
   /** When what was asked for has been drawn and shown. */

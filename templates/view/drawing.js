@@ -157,6 +157,7 @@ class Robot {
     this.feet = scene.links.filter((x) => x.parent < 0 && x.moves !== "free").map((link) => this.foot(link));
     this.lines = scene.lines.map((line) => new Line(line, scene.gravity, (color) => this.paint(color)));
     for (const line of this.lines) this.group.add(line.group);
+    this.touching = scene.surfaces.map((found) => this.surface(found));
     [this.plain, this.worn] = [new Set(), new Set()]; // what meshes stand for, and the parts that have some
     this.skins = (scene.meshes || []).map((mesh) => this.skin(mesh));
     this.repaint();
@@ -210,13 +211,7 @@ class Robot {
       out.rail = new THREE.Mesh(new THREE.CylinderGeometry(1, 1, 1, 12).translate(0, 0.5, 0), this.paint("--dark-metal"));
       this.group.add(out.rail);
     }
-    for (const body of link.bodies) {
-      const geometry = body.box ? new THREE.BoxGeometry(...body.box.map((x) => Math.max(x, 1e-3 * this.scene.size))) : new THREE.SphereGeometry(body.ball, 32, 20);
-      const mesh = new THREE.Mesh(geometry, this.paint("--metal"));
-      mesh.position.set(...(body.tip ? body.at : plus(body.at, link.base)));
-      if (body.turn) mesh.quaternion.set(...body.turn);
-      (body.tip ? tip : frame).add(mesh);
-    }
+    for (const body of link.bodies) (body.tip ? tip : frame).add(this.body(body, body.tip ? [0, 0, 0] : link.base));
     out.solids = [...frame.children, ...tip.children];
     out.covered = false;
     const paint = (color) => this.paint(color);
@@ -227,6 +222,22 @@ class Robot {
     out.cylinders = link.cylinders.map((found) => new Cylinder(found, 1.3 * this.thin, paint));
     for (const cylinder of out.cylinders) this.group.add(cylinder.group);
     return out;
+  }
+
+  /** A box or a ball about its place, which is stated from a point. */
+  body(found, from, options) {
+    const geometry = found.box ? new THREE.BoxGeometry(...found.box.map((x) => Math.max(x, 1e-3 * this.scene.size))) : new THREE.SphereGeometry(found.ball, 32, 20);
+    const mesh = new THREE.Mesh(geometry, this.paint("--metal", options));
+    mesh.position.set(...plus(found.at, from));
+    if (found.turn) mesh.quaternion.set(...found.turn);
+    return mesh;
+  }
+
+  /** What touches, at the tip of a link or on the world; what is clear hides nothing. */
+  surface(found) {
+    const mesh = this.body(found, [0, 0, 0], found.clear ? { transparent: true, opacity: 0.22, depthWrite: false } : {});
+    (found.link < 0 ? this.group : this.parts[found.link].tip).add(mesh);
+    return mesh;
   }
 
   joint(link, frame) {

@@ -47,6 +47,7 @@ function unpacked(scene) {
     [link.corners, link.ends] = [[], []]; // what rigid parts reach: in the frame of the link, and in that of its tip
   }
   scene.corners = scene.lines.flatMap((line) => line.ends.filter((end) => end.link < 0).map((end) => end.at));
+  for (const found of scene.surfaces) (found.link < 0 ? scene.corners : scene.links[found.link].ends).push(...surrounding(found, [0, 0, 0]));
   for (const mesh of scene.meshes || []) {
     mesh.columns = columns(mesh.table);
     if (mesh.columns.length > 3) continue; // it bends along the centreline

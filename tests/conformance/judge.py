@@ -66,7 +66,7 @@ class Judge:
             return False
         if np.abs(self.vdot[: self.oracle.n_joint]).max(initial=0.0) >= QUICK:
             return False
-        return self._definite(q + RUN * v + RUN**2 / 2 * self.motion[0])
+        return all(self._definite(q + t * v + t**2 / 2 * self.motion[0]) for t in RUN * np.linspace(0.25, 1.0, 4))
 
     def _definite(self, q: np.ndarray) -> bool:
         """Whether the mass matrix is positive definite there."""

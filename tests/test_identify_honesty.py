@@ -251,3 +251,4 @@ def test_a_model_that_lacks_the_friction_of_the_data_is_not_trusted(log):
     found = screwgen.identify(frictionless, log, free=["rod.EIz", ROTOR], sensors=SENSORS, window=0.25)
     (note,) = found.notes
     assert "residuals of angle, gauge are no noise" in note and min(found.whiteness.values()) > 0.9
+    assert all(one.lacking and one.interval.endswith("if the model lacks nothing") for one in found.estimates)

@@ -258,8 +258,7 @@ def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit, lack
         sure = bool(known.deviation[k] <= LOST)
         out.append(
             Estimated(
-                *(one.name, one.unit, one.kind, one.value, float(values[k])),
-                *(low, high, sure, bound, one.members, lacking),
+                one.name, one.unit, one.kind, one.value, float(values[k]), low, high, sure, bound, one.members, lacking
             )
         )
     return out

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from typing import NamedTuple
 
 import numpy as np
 from helpers import arm, model_of
@@ -85,8 +86,15 @@ def logged(model, controller, seconds=4.0, step=1e-3, noise=0.01, seed=1, q0=(-1
     return Log("swing.csv", run.t, noisy | {"motor": run.tau[:, 0]})
 
 
-def fit_errors(found, plan, model, other, true, fits):
-    """(fits, k): errors of logarithms where fits of noisy logs of an excitation's motion begin at an `other` model."""
+class Fits(NamedTuple):
+    """Of fits (fits, k): errors of logarithms, and half of the intervals of these."""
+
+    error: np.ndarray
+    half: np.ndarray
+
+
+def fits_of(found, plan, model, other, true, fits) -> Fits:
+    """Fits of noisy logs of an excitation's motion, which begin at an `other` model."""
     run = screwgen.simulate(model, plan.time, found.run.t[1], q0=found.run.q[0], controller=Played.of(plan))
     made = {"angle": np.degrees(run.q[:, 0]), "gauge": -0.01 * run.strain[:, 0] * 1e6}
     noise, out = {column.name: column.noise for column in found.columns.sensors}, []
@@ -96,5 +104,6 @@ def fit_errors(found, plan, model, other, true, fits):
         noisy = {name: x + noise[name] * rng.standard_normal(len(x)) for name, x in made.items()}
         log = Log("excited", run.t, noisy | {"motor": run.tau[:, 0]})
         fit = screwgen.identify(other, log, free=names, sensors=found.columns, window=0.5)
-        out.append([np.log(fit[name].value / true[name]) for name in names])
-    return np.array(out)
+        own = [fit[name] for name in names]
+        out.append([[np.log(x.value / true[x.name]), np.log(x.high / x.low) / 2] for x in own])
+    return Fits(*np.moveaxis(np.array(out), 2, 0))

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from helpers import arm, link, model_of
-from identified_arms import SENSORS, TRUE, elsewhere, fit_errors, pendulum
+from identified_arms import SENSORS, TRUE, elsewhere, fits_of, pendulum
 
 import screwgen
 from screwgen.cli.main import main
@@ -19,8 +19,8 @@ SECONDS, STEP = 2.0, 1e-3
 FITS = 6
 
 
-@pytest.fixture(scope="module")
-def found():
+def excited():
+    """The motion that is sought for the pendulum."""
     return screwgen.excite(
         pendulum(),
         free=FREE,
@@ -32,6 +32,11 @@ def found():
         window=0.5,
         generations=15,
     )
+
+
+@pytest.fixture(scope="module")
+def found():
+    return excited()
 
 
 def test_series_begin_and_end_at_rest_and_have_the_rates_of_their_values():
@@ -93,7 +98,9 @@ def test_what_no_motion_tells_is_not_determined():
 
 def test_the_widest_interval_is_three_times_narrower_than_by_a_random_motion_in_fits(found):
     """The fits start 30 % off; of both motions their errors are as large as the intervals say."""
-    own, other = (fit_errors(found, plan, pendulum(), elsewhere(), TRUE, FITS) for plan in (found.plan, found.random))
+    own, other = (
+        fits_of(found, plan, pendulum(), elsewhere(), TRUE, FITS).error for plan in (found.plan, found.random)
+    )
     assert found.narrower > 3.0
     for got, said in ((own, found.deviation), (other, found.deviation_of_random)):
         assert 0.6 < np.sqrt(np.mean((got / said) ** 2)) < 1.5

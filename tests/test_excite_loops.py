@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from identified_arms import fit_errors
+from identified_arms import fits_of
 from test_identify_loops import COLUMNS, START, TRUE, elsewhere, four_bar
 
 import screwgen
@@ -42,7 +42,9 @@ def test_references_of_joints_that_follow_close_the_loops(found):
 
 
 def test_intervals_are_narrower_than_by_a_random_motion_and_errors_of_fits_as_large_as_they_say(found):
-    own, other = (fit_errors(found, plan, four_bar(), elsewhere(), TRUE, FITS) for plan in (found.plan, found.random))
+    own, other = (
+        fits_of(found, plan, four_bar(), elsewhere(), TRUE, FITS).error for plan in (found.plan, found.random)
+    )
     assert found.narrower > 1.5
     for got, said in ((own, found.deviation), (other, found.deviation_of_random)):
         assert 0.5 < np.sqrt(np.mean((got / said) ** 2)) < 1.7

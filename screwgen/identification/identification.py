@@ -16,6 +16,7 @@ from .robot_text import folder_of, with_values
 
 NARROW = 0.05
 """Intervals of a smaller half, over the number, are written with ±."""
+LACKING = "if the model lacks nothing"
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,9 @@ class Estimated:
     """``low`` or ``high`` where it ended at a bound."""
     members: tuple[str, ...] = ()
     """The names of all that are this number."""
+    lacking: bool = False
+    """Whether residuals say that the model lacks something. What of it acts as this number does no residual shows, and
+    the interval does not count it."""
 
     @property
     def interval(self) -> str:
@@ -45,7 +49,8 @@ class Estimated:
         half = (self.high - self.low) / 2
         narrow = half < NARROW * abs(self.value)
         known = f"± {half:.2g}" if narrow else f"{self.low:.3g} to {self.high:.3g}"
-        return f"at its bound; {known}" if self.bound else known
+        known = f"at its bound; {known}" if self.bound else known
+        return f"{known} {LACKING}" if self.lacking else known
 
 
 @dataclass(frozen=True, eq=False)

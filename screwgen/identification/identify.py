@@ -130,7 +130,7 @@ def identify(
     }
     return Identification(
         model.robot.name,
-        tuple(_estimated(asked, at, known, fit)),
+        tuple(_estimated(asked, at, known, fit, bool(odd.coloured(white)))),
         _parameters(model, asked, p),
         own,
         tuple(beside),
@@ -249,7 +249,7 @@ def _parameters(model: RobotModel, asked: Unknowns, p: np.ndarray) -> dict[str, 
     return {model.parameter_names[k]: float(p[k]) for k in sorted(places)}
 
 
-def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit) -> list[Estimated]:
+def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit, lacking: bool) -> list[Estimated]:
     values, out = asked.values(at.sought), []
     for k, one in enumerate(asked):
         wide = known.quantile[k] * known.deviation[k]
@@ -257,6 +257,8 @@ def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit) -> l
         bound = "low" if at.sought[k] <= fit.low[k] else "high" if at.sought[k] >= fit.high[k] else ""
         sure = bool(known.deviation[k] <= LOST)
         out.append(
-            Estimated(one.name, one.unit, one.kind, one.value, float(values[k]), low, high, sure, bound, one.members)
+            Estimated(
+                one.name, one.unit, one.kind, one.value, float(values[k]), low, high, sure, bound, one.members, lacking
+            )
         )
     return out

@@ -64,11 +64,17 @@ def of_inputs(model: RobotModel, columns: Columns) -> list[str]:
     return [f"no column drives {', '.join(silent)}: taken as zero"] if silent else []
 
 
-def of_whiteness(correlations: Mapping[str, float]) -> list[str]:
+def coloured(correlations: Mapping[str, float]) -> list[str]:
     """Sensors whose residuals have a cause that the model lacks."""
-    found = [name for name, x in correlations.items() if x > COLOURED]
-    said = "neighbours have much in common, so the model lacks something, and numbers may be off by more"
-    return [f"residuals of {', '.join(found)} are no noise: {said}"] if found else []
+    return [name for name, x in correlations.items() if x > COLOURED]
+
+
+def of_whiteness(correlations: Mapping[str, float]) -> list[str]:
+    """That residuals have such a cause."""
+    found = coloured(correlations)
+    said = "neighbours have much in common, so the model lacks something"
+    more = "what of it acts as a number does has moved that number, and no interval counts it"
+    return [f"residuals of {', '.join(found)} are no noise: {said}; {more}"] if found else []
 
 
 def of_bounds(asked: Unknowns, at: Estimate, fit: Fit) -> list[str]:

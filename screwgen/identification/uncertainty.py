@@ -17,6 +17,7 @@ from scipy.special import stdtrit
 from ..lazily import linalg
 from .problem import MeasuredCases
 from .solve import Estimate, Fit
+from .start_noise import LOST, NOTHING, WindowRows, told_information
 
 CLUSTER = 0.2
 """Seconds whose residuals count as one."""
@@ -25,17 +26,6 @@ LEVERAGE = 0.99
 cluster alone would have no interval."""
 VAGUE = 1e6
 """The deviation of that of which the data say nothing at all."""
-LOST = 1.0
-"""Of a number or a direction with a larger deviation, in logarithms or over a scale, the data say nothing: in
-a third of all cases it is more than 2.7 times as large or as small."""
-DOUBT = 9.0
-"""Information counts that is more than so many times that of noise: a vibration with which windows begin tells
-something where it is three times as large as noise makes one. At the stiffness that fits noise best it is twice as
-large."""
-HALVED = 40
-"""How often such noise is halved where motions that begin with it are far from readings."""
-NOTHING = 1e-15
-"""The share of the largest information that is rounding."""
 NAMED = 0.2
 """Numbers that are named of a direction: those that change by this share of the one that changes most."""
 
@@ -75,9 +65,7 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
     clusters = [[_of_cluster(window, c, root) for c in np.unique(window.cluster)] for window in windows]
     scores = np.array([cluster.score for own in clusters for cluster in own])
     B = scores.T @ scores
-    own, axes = np.linalg.eigh(A - DOUBT * _of_noise(fit, at, found, by_group))
-    true = axes[:, own > 0] @ axes[:, own > 0].T
-    told = true @ A @ true + known
+    told = told_information(fit, at, found, by_group, A) + known
     directions, inverse = lost_directions(told, B + known), np.linalg.pinv(told, rcond=1e-14, hermitian=True)
     covariance = inverse @ (B + known) @ inverse
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
@@ -88,60 +76,6 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
         deviation[lost] = np.maximum(deviation[lost], size * np.abs(direction[lost]))
     spread = np.sqrt(np.maximum(np.diag(covariance), 1e-300))
     return Uncertainty(deviation, directions, _quantiles(clusters), covariance / np.outer(spread, spread))
-
-
-class _Window(NamedTuple):
-    """Rows (m, ...) of a window: residuals, then what is known beforehand of its start."""
-
-    sought: np.ndarray
-    """(m, k): how they change with what is sought, its states eliminated."""
-    states: np.ndarray
-    """(m, n): an orthonormal basis of how they change with its start."""
-    r: np.ndarray
-    cluster: np.ndarray
-    """The number of the cluster of each row."""
-    follows: np.ndarray
-    """(n, m - n): how its start follows readings, both in their deviations."""
-
-
-def _of_noise(
-    fit: Fit, at: Estimate, found: Sequence[tuple[np.ndarray, ...]], windows: Sequence[Sequence[_Window]]
-) -> np.ndarray:
-    """The information (k, k) that noise in the starts of windows has, of one draw of it.
-
-    A vibration that noise alone has put into a start seems to tell a stiffness by its frequency.
-    """
-    rng, out = np.random.default_rng(0), np.zeros((len(at.sought),) * 2)
-    differences = [x for x, *_ in found]
-    sizes = np.nan_to_num(fit.sizes(differences) / at.noise)
-    for group, own, shift, now in zip(fit.problem.groups, windows, at.shift, differences, strict=True):
-        if not shift.size:
-            continue
-        readings = rng.standard_normal(now.shape) * sizes[fit.problem.own(group)]
-        drawn = np.array([window.follows @ x.ravel() for window, x in zip(own, readings, strict=True)])
-        change = _likely(fit, at, group, shift, drawn, fit.costs(group, shift, now, at.noise) + shift.shape[1])
-        ends = [group.linearised(fit.problem, at.sought, shift + sign * change) for sign in (1.0, -1.0)]
-        for w, window in enumerate(own):
-            ahead, behind = (fit.rows(group, at, end, w)[2] for end in ends)
-            part = np.vstack([ahead - behind, np.zeros((shift.shape[1], len(at.sought)))]) / 2
-            part -= window.states @ (window.states.T @ part)
-            out += part.T @ part
-    return out
-
-
-def _likely(
-    fit: Fit, at: Estimate, group: MeasuredCases, shift: np.ndarray, change: np.ndarray, most: np.ndarray
-) -> np.ndarray:
-    """The change (W, states) of starts, halved of windows whose cost either sign of it brings above the `most` (W,)."""
-    lanes, left = np.arange(len(shift)), change.copy()
-    for _ in range(HALVED):
-        ends = [shift + sign * left for sign in (1.0, -1.0)]
-        found = [group.differences(fit.problem, lanes, np.tile(at.sought, (len(lanes), 1)), end) for end in ends]
-        costs = [fit.costs(group, end, own, at.noise) for end, own in zip(ends, found, strict=True)]
-        if not (wrong := np.max(costs, axis=0) > most).any():
-            break
-        left[wrong] /= 2
-    return left
 
 
 class _Cluster(NamedTuple):
@@ -159,7 +93,7 @@ class _Cluster(NamedTuple):
 
 def _of_window(
     fit: Fit, group: MeasuredCases, at: Estimate, found: tuple[np.ndarray, ...], w: int, shift: np.ndarray
-) -> _Window:
+) -> WindowRows:
     """The rows of a window.
 
     What is known beforehand of its start follows from its first readings, so that it counts with the first cluster.
@@ -171,10 +105,10 @@ def _of_window(
     rows -= Q @ (Q.T @ rows)
     seconds = np.arange(len(r)) // found[0].shape[-1] * group.step
     cluster = np.append((seconds // CLUSTER).astype(int), np.zeros(n, int))
-    return _Window(rows, Q, np.append(r, shift), cluster, np.linalg.solve(R, Q[: len(r)].T))
+    return WindowRows(rows, Q, np.append(r, shift), cluster, np.linalg.solve(R, Q[: len(r)].T))
 
 
-def _of_cluster(window: _Window, number: int, root: np.ndarray) -> _Cluster:
+def _of_cluster(window: WindowRows, number: int, root: np.ndarray) -> _Cluster:
     """A cluster of a window; `root` (k, k) times its transpose is the inverse of the information."""
     own = window.cluster == number
     x, Q, r = window.sought[own], window.states[own], window.r[own]

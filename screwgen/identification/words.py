@@ -43,6 +43,11 @@ REMEDIES = (
 )
 """By a piece of a name what determines such a number; the first that fits counts."""
 
+VIBRATE = "log a free vibration, which tells the stiffness alone, or state the scale of the gauge"
+BETWEEN = ((".scale", ("EI", "profile.E"), VIBRATE),)
+"""By pieces of two names what tells such numbers apart, where what determines one alone does not: under a known weight
+a gauge reads the same of a link twice as stiff if its scale is twice as large."""
+
 
 def direction_in_words(unknowns: Sequence[FreeNumber], direction: np.ndarray, size: float) -> str:
     """A direction that the data do not determine: changes (k,) of what is sought, and their deviation."""
@@ -96,5 +101,9 @@ def _list(names: Sequence[str]) -> str:
 
 def remedy(own: Sequence[FreeNumber]) -> str:
     """What would determine one of these numbers."""
+    names = [one.name for one in own]
+    for piece, others, said in BETWEEN:
+        if any(piece in x for x in names) and any(other in x for x in names for other in others):
+            return said
     found = [said for one in own for piece, said in REMEDIES if piece in one.name][:1]
     return found[0] if found else "leave one of them out of what is free, or state what is known of it as a prior"

@@ -14,6 +14,8 @@ rotates its contribution only once.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from ..ir.program import Array, Value
@@ -160,8 +162,11 @@ def body_force(omega: Array, alpha: Array, m: Value | Array, S: Array, I: Array)
     return np.concatenate([turn, m * alpha[3:] + swing(alpha[:3], omega, S)])
 
 
-def eliminate(s: Scope) -> None:
-    """Tip to base: add the tip's reaction, eliminate modes and joint, pass the result to the parent."""
+def eliminate(s: Scope, condensed: Callable[[Scope], tuple[Array, Array]] = condense) -> None:
+    """Tip to base: add the tip's reaction, eliminate modes and joint, pass the result to the parent.
+
+    ``condensed`` finds the inertia and the driving force of the joint's axes.
+    """
     M_V, M_D, h_V, h_eta = rows(s)
     own = M_V, M_D, h_V, h_eta + pulled(s)
     if s.key.lacks_geometric_stiffness:
@@ -173,7 +178,7 @@ def eliminate(s: Scope) -> None:
     if s.key.joint.given:
         s.keep("p_i", s.name("p_i", h + mx.multiply(M, s.read("base_rate"))))
         return
-    Lambda, p = eliminate_joint(s, M, h)
+    Lambda, p = eliminate_joint(s, M, h, condensed)
     if s.key.floats:
         return
     s.keep("Lambda_i", Lambda)
@@ -184,7 +189,9 @@ def eliminate(s: Scope) -> None:
         s.write("base.p", mx.rotate_wrench(R, mx.shift_wrench(lever, p)))
 
 
-def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
+def eliminate_joint(
+    s: Scope, M: Array, h: Array, condensed: Callable[[Scope], tuple[Array, Array]] = condense
+) -> tuple[Array, Array]:
     """Eliminate qddot by the joint's rows ``S^T w = tau - m_q qddot - f_q``; ``f_q = b qdot + k q``, or as given.
 
     The rotors of elastic drives are eliminated before, see :mod:`.axis_terms`. An axis whose acceleration a is given is
@@ -192,7 +199,7 @@ def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
     """
     with s.step("joint: its accelerations eliminated from its rows (43)"):
         S = s.kept("S")
-        own, driving = condense(s)
+        own, driving = condensed(s)
         for axis in prescribed(s):
             a = s.read("tau")[axis]
             h = s.name("h_given", h + mx.multiply(M, S[:, axis]) * a, "h_V")

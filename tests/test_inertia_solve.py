@@ -123,9 +123,12 @@ COMPARED = {
 
 @pytest.mark.parametrize("name", COMPARED)
 def test_c_has_what_dense_factors_find(monkeypatch, name):
+    """To 1e-12, or to what rounding leaves of either where the inertia is so ill conditioned."""
+    model = model_of(COMPARED[name])
+    allowed = max(1e-12, EPSILON * np.linalg.cond(model.numpy().mass_matrix(point(model)[0])))
     dense, sparse = (linearised(monkeypatch, COMPARED[name], least) for least in (10**9, 0))
     for found, reference in zip(sparse, dense, strict=True):
-        assert relative(found, reference) <= 1e-12
+        assert relative(found, reference) <= allowed
 
 
 def test_the_count_in_the_header():

@@ -63,7 +63,7 @@ FIXED = {"eliminate": "inward", "accelerate": "outward"}
 
 
 @dataclass(frozen=True)
-class Parts:
+class Parted:
     """The passages of all links, parted: what the posture fixes, and what each column of forces costs."""
 
     fixed: list[Passage]
@@ -72,7 +72,7 @@ class Parts:
     """What links keep of columns between the passes."""
 
 
-def part(found: Sequence[Passage], algorithm: Algorithm = SOLVE) -> Parts:
+def part(found: Sequence[Passage], algorithm: Algorithm = SOLVE) -> Parted:
     """Part the passages of the algorithm; equal programs are parted once."""
     varying, done = _varying(found), {}
     fixed, columns = [], []
@@ -84,7 +84,7 @@ def part(found: Sequence[Passage], algorithm: Algorithm = SOLVE) -> Parts:
         fixed.append(_passage(passage, still))
         columns.append(_passage(passage, rest))
     moving = [passage for passage in columns if passage.program.outputs]
-    return Parts(fixed, moving, frozenset(name for name in varying if name.startswith("w.")))
+    return Parted(fixed, moving, frozenset(name for name in varying if name.startswith("w.")))
 
 
 def _part(passage: Passage, varying: frozenset[str], kept: str) -> tuple[Program, Program]:

@@ -14,15 +14,13 @@ rotates its contribution only once.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from ..ir.program import Array, Value
 from ..spec.link_class import EXACT
 from . import brakes
 from . import matrices as mx
-from .axis_terms import accelerate_added, added_forces, condense, own_force, own_inertia, prescribed
+from .axis_terms import Condensed, accelerate_added, added_forces, condense, own_force, own_inertia, prescribed
 from .elastic_travels import carrying_along
 from .joint_terms import joint_point, rotation
 from .modal_elimination import eliminate_modes, modal_accelerations
@@ -162,11 +160,8 @@ def body_force(omega: Array, alpha: Array, m: Value | Array, S: Array, I: Array)
     return np.concatenate([turn, m * alpha[3:] + swing(alpha[:3], omega, S)])
 
 
-def eliminate(s: Scope, condensed: Callable[[Scope], tuple[Array, Array]] = condense) -> None:
-    """Tip to base: add the tip's reaction, eliminate modes and joint, pass the result to the parent.
-
-    ``condensed`` finds the inertia and the driving force of the joint's axes.
-    """
+def eliminate(s: Scope, condensed: Condensed = condense) -> None:
+    """Tip to base: add the tip's reaction, eliminate modes and joint, pass the result to the parent."""
     M_V, M_D, h_V, h_eta = rows(s)
     own = M_V, M_D, h_V, h_eta + pulled(s)
     if s.key.lacks_geometric_stiffness:
@@ -189,9 +184,7 @@ def eliminate(s: Scope, condensed: Callable[[Scope], tuple[Array, Array]] = cond
         s.write("base.p", mx.rotate_wrench(R, mx.shift_wrench(lever, p)))
 
 
-def eliminate_joint(
-    s: Scope, M: Array, h: Array, condensed: Callable[[Scope], tuple[Array, Array]] = condense
-) -> tuple[Array, Array]:
+def eliminate_joint(s: Scope, M: Array, h: Array, condensed: Condensed = condense) -> tuple[Array, Array]:
     """Eliminate qddot by the joint's rows ``S^T w = tau - m_q qddot - f_q``; ``f_q = b qdot + k q``, or as given.
 
     The rotors of elastic drives are eliminated before, see :mod:`.axis_terms`. An axis whose acceleration a is given is

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from ...algorithms import inertia_solve
-from ...algorithms.inertia_solve import FORCES, SOLVE, Parts
+from ...algorithms.inertia_solve import FORCES, SOLVE, Parted
 from ...algorithms.schedule import OUTWARD, SUMMED
 from ...algorithms.signals import is_node
 from ...algorithms.structure import Passage
@@ -50,12 +50,12 @@ def dense(chain: Chain) -> int:
     return nv**3 // 3 + 2 * nv * nv * (2 * nv + chain.n_tau + rows) + loops
 
 
-def count(chain: Chain, parts: Parts) -> int:
+def count(chain: Chain, parts: Parted) -> int:
     """The operations of the elimination's solves."""
     return columns(chain) * inertia_solve.operations(parts.columns)
 
 
-def is_chosen(chain: Chain, parts: Parts) -> bool:
+def is_chosen(chain: Chain, parts: Parted) -> bool:
     """Whether the elimination costs less."""
     return chain.nv >= LEAST and inertia_solve.operations(parts.fixed) + count(chain, parts) < GAIN * dense(chain)
 
@@ -64,7 +64,7 @@ class SolvingLinks(Links):
     """Functions of links among which are those of the phases that solve with the inertia."""
 
     @cached_property
-    def parts(self) -> Parts:
+    def parts(self) -> Parted:
         """What these find once, and what each column costs."""
         return inertia_solve.part(super().passages(RUN))
 
@@ -73,14 +73,14 @@ class SolvingLinks(Links):
 
 
 @dataclass(frozen=True)
-class Columns:
+class ColumnLoops:
     """The functions of loops over columns."""
 
     links: SolvingLinks
     functions: dict[tuple, Function] = field(default_factory=dict)
 
     @property
-    def parts(self) -> Parts:
+    def parts(self) -> Parted:
         return self.links.parts
 
     def content(self) -> dict:
@@ -128,7 +128,7 @@ class Columns:
 def content(links: SolvingLinks) -> dict:
     """The templates' context: what is found once, and what columns cost."""
     fixed = [phase for phase in links.phases(RUN) if any(f.signature != "void" for f in phase["classes"])]
-    return Columns(links).content() | {
+    return ColumnLoops(links).content() | {
         "fixed": fixed,
         "distinct": [f.program for phase in fixed for f in phase["classes"]],
         "operations": inertia_solve.operations(links.parts.fixed),

@@ -64,12 +64,12 @@ class SolvingLinks(Links):
     """Functions of links among which are those of the phases that solve with the inertia."""
 
     @cached_property
-    def parts(self) -> Parted:
+    def parted(self) -> Parted:
         """What these find once, and what each column costs."""
         return inertia_solve.part(super().passages(RUN))
 
     def passages(self, run: str, unread: frozenset[str] = frozenset()) -> list[Passage]:
-        return self.parts.fixed if run == RUN else super().passages(run, unread)
+        return self.parted.fixed if run == RUN else super().passages(run, unread)
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ class ColumnLoops:
 
     @property
     def parts(self) -> Parted:
-        return self.links.parts
+        return self.links.parted
 
     def content(self) -> dict:
         """The templates' context: functions, passes along the tree, and what each link keeps of columns besides."""
@@ -131,8 +131,8 @@ def content(links: SolvingLinks) -> dict:
     return ColumnLoops(links).content() | {
         "fixed": fixed,
         "distinct": [f.program for phase in fixed for f in phase["classes"]],
-        "operations": inertia_solve.operations(links.parts.fixed),
-        "solve": count(links.chain, links.parts),
+        "operations": inertia_solve.operations(links.parted.fixed),
+        "solve": count(links.chain, links.parted),
     }
 
 
@@ -159,7 +159,7 @@ class ColumnPlaces(Places):
         where, _, what = name.partition(".")
         if not what or is_node(where):
             return where if what else ROWS[name]
-        return IN_PLACE.get(what, "kept") if name in self.links.parts.kept else ""
+        return IN_PLACE.get(what, "kept") if name in self.links.parted.kept else ""
 
     def names(self) -> set[str]:
         return super().names() | {"l", "kept", *ROWS.values()}

@@ -273,7 +273,7 @@ def solves_by_elimination(chain: Chain, baked: Sequence[dict] | None) -> bool:
     """Whether the elimination's factors solve with the inertia, no dense ones."""
     if not inertia_solve.is_offered(chain):
         return False
-    return inertia_solve.is_chosen(chain, _links(chain, baked, FORCES, True).parts)
+    return inertia_solve.is_chosen(chain, _links(chain, baked, FORCES, True).parted)
 
 
 def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter, solving: bool = False) -> dict:

@@ -7,6 +7,8 @@ elastic gear of a transmission has a coordinate of another kind in the place of 
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from ..elements import gear
@@ -103,6 +105,10 @@ def own_force(s: Scope) -> Array:
     """The generalised forces of the joint's damper and spring, and of transmissions."""
     own = s.read("f_q") if s.key.has_axis_forces else mx.zeros(s.key.joints)
     return own + tm.kept(s).force if s.key.travels else own
+
+
+Condensed = Callable[[Scope], tuple[Array, Array]]
+"""What finds the inertia and the driving force of a joint's axes, as :func:`condense`."""
 
 
 def condense(s: Scope) -> tuple[Array, Array]:

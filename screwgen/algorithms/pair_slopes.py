@@ -185,8 +185,9 @@ def moved() -> Program:
 
 
 @cache
-def entries() -> Program:
-    """The entries of a coordinate and of one that carries its link: of M, and of the slopes f_q and f_v.
+def entries(inertia: bool = True) -> Program:
+    """The entries of a coordinate and of one that carries its link: of M, unless it has no ``inertia``, and of the
+    slopes f_q and f_v.
 
     ``rows`` (9), ``F_q``, ``F_v`` (6): of the former; the latter's changes at the former's link: ``U`` (6), ``by_q``,
     ``by_v`` (9).
@@ -194,8 +195,8 @@ def entries() -> Program:
     tracer = Tracer()
     sizes = {"rows": MOTION, "F_q": 6, "F_v": 6, "U": 6, "by_q": MOTION, "by_v": MOTION}
     x = {name: tracer.input(name, n) for name, n in sizes.items()}
-    out = {
-        "M": mx.dot(x["rows"][3:], x["U"]),
+    out = {"M": mx.dot(x["rows"][3:], x["U"])} if inertia else {}
+    out |= {
         "q_row": mx.dot(x["rows"], x["by_q"]),
         "v_row": mx.dot(x["rows"], x["by_v"]),
         "q_column": mx.dot(x["F_q"], x["U"]),

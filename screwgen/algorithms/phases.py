@@ -20,7 +20,7 @@ from ..ir.program import Array, Value
 from ..spec.link_class import EXACT
 from . import brakes
 from . import matrices as mx
-from .axis_terms import accelerate_added, added_forces, condense, own_force, own_inertia, prescribed
+from .axis_terms import Condensed, accelerate_added, added_forces, condense, own_force, own_inertia, prescribed
 from .elastic_travels import carrying_along
 from .joint_terms import joint_point, rotation
 from .modal_elimination import eliminate_modes, modal_accelerations
@@ -160,7 +160,7 @@ def body_force(omega: Array, alpha: Array, m: Value | Array, S: Array, I: Array)
     return np.concatenate([turn, m * alpha[3:] + swing(alpha[:3], omega, S)])
 
 
-def eliminate(s: Scope) -> None:
+def eliminate(s: Scope, condensed: Condensed = condense) -> None:
     """Tip to base: add the tip's reaction, eliminate modes and joint, pass the result to the parent."""
     M_V, M_D, h_V, h_eta = rows(s)
     own = M_V, M_D, h_V, h_eta + pulled(s)
@@ -173,7 +173,7 @@ def eliminate(s: Scope) -> None:
     if s.key.joint.given:
         s.keep("p_i", s.name("p_i", h + mx.multiply(M, s.read("base_rate"))))
         return
-    Lambda, p = eliminate_joint(s, M, h)
+    Lambda, p = eliminate_joint(s, M, h, condensed)
     if s.key.floats:
         return
     s.keep("Lambda_i", Lambda)
@@ -184,7 +184,7 @@ def eliminate(s: Scope) -> None:
         s.write("base.p", mx.rotate_wrench(R, mx.shift_wrench(lever, p)))
 
 
-def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
+def eliminate_joint(s: Scope, M: Array, h: Array, condensed: Condensed = condense) -> tuple[Array, Array]:
     """Eliminate qddot by the joint's rows ``S^T w = tau - m_q qddot - f_q``; ``f_q = b qdot + k q``, or as given.
 
     The rotors of elastic drives are eliminated before, see :mod:`.axis_terms`. An axis whose acceleration a is given is
@@ -192,7 +192,7 @@ def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
     """
     with s.step("joint: its accelerations eliminated from its rows (43)"):
         S = s.kept("S")
-        own, driving = condense(s)
+        own, driving = condensed(s)
         for axis in prescribed(s):
             a = s.read("tau")[axis]
             h = s.name("h_given", h + mx.multiply(M, S[:, axis]) * a, "h_V")

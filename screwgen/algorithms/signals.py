@@ -263,6 +263,8 @@ STORE = {
     "f_eta": Signal(("r", "r"), "N/m", "-", "derivative of the modal forces with the modes"),
     "f_etadot": Signal(("r", "r"), "N*s/m", "-", "derivative of the modal forces with the modal rates"),
     "M_eta_eta": Signal(("r", "r"), "kg", "-", "modal inertia of the tip load"),
+    "inward": Signal((), MIXED, "-", "factors of columns of forces on their way to the base"),
+    "outward": Signal((), MIXED, "-", "factors of columns of accelerations on their way to the tips"),
 }
 """Of a link's own store."""
 

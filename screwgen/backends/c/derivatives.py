@@ -11,7 +11,7 @@ from ...algorithms.wrench_slopes import wrench_program
 from ...errors import TargetWarning
 from ...integrators.method import Method
 from ...topology.chain import Chain
-from . import acting, brakes, compliant, recursive_slopes, step_derivatives
+from . import acting, brakes, compliant, inertia_solve, recursive_slopes, step_derivatives
 from .code import Place, entries, singular
 from .pieces import piece_place, pieces
 from .stumpff_slopes import slopes
@@ -37,13 +37,9 @@ def content(
 
     ``layout`` is the one that is asked for.
     """
-    nv, rows = chain.nv, len(chain.closing.rows)
-    solve = (
-        nv**3 // 3
-        + 2 * nv * nv * (2 * nv + chain.n_tau + rows)
-        + rows * (nv * rows + (4 * nv + 2 * rows) * (2 * nv + chain.n_tau))
-    )
     recursion = once(_recursion, chain, baked is not None) if recursive_slopes.is_chosen(chain, layout) else None
+    solving = recursion["solving"] if recursion else None
+    solve = solving["solve"] if solving else inertia_solve.dense(chain)
     acts = once(acting.content, chain, baked is not None, place) if recursion else None
     made = _by_recursion(recursion, acts) if recursion else _in_pieces(chain, baked is not None, place)
     later = compliant.slopes(chain, baked is not None, place)
@@ -54,9 +50,10 @@ def content(
     return made | {
         "compliant": later,
         "recursion": recursion,
+        "solving": solving,
         "acting": acts,
         "solve": solve,
-        "rows": rows,
+        "rows": len(chain.closing.rows),
         "stumpff": slopes(made["programs"], bool(chain.curved)),
         "unrolled": UNROLLED,
         "link_of": _owners(chain),

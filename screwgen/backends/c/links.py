@@ -161,7 +161,7 @@ class Links:
         key = (phase, signature, passage.edge is None, tuple(lines))
         if key not in self.functions:
             link = self.chain.identifiers[passage.link]
-            name = self._unique(f"{phase}_{link}")
+            name = self.unique(f"{phase}_{link}")
             title = f"{phase.replace('_', ' ')}, links like {link}: {program.operation_count} operations"
             self.functions[key] = Function(name, title, signature, lines, f"{name}({', '.join(values)})", program)
         return self.functions[key]
@@ -170,7 +170,8 @@ class Links:
         """Where a phase's function has its signals."""
         return Places(self, passage, run, entries)
 
-    def _unique(self, name: str) -> str:
+    def unique(self, name: str) -> str:
+        """The name, or a numbered one that no function has yet."""
         number, out = 1, name
         while out in self.names:
             number += 1

@@ -16,11 +16,11 @@ from ...algorithms.station_names import at_station, plain
 from ...algorithms.structure import Passage
 from ...topology.chain import Chain
 from ...topology.tree import TIP
-from . import inputs, pair_ranges
+from . import inertia_solve, inputs, pair_ranges
 from .acting import rate_of
 from .columns_loop import over_columns, starts
 from .fields import node_fields, store_fields
-from .links import Links, Places
+from .links import Places
 from .runs import CFunction
 
 CHANGES = {
@@ -197,13 +197,13 @@ def _block(name: str) -> tuple[str, str, str]:
 
 
 @dataclass
-class SlopeLinks(Links):
-    """The functions of these phases."""
+class SlopeLinks(inertia_solve.SolvingLinks):
+    """The functions of these phases, and of those that solve with the inertia."""
 
     matter: Matter = FORCES
 
     def places(self, passage: Passage, run: str, entries: tuple) -> Places:
-        return SlopePlaces(self, passage, run, entries)
+        return (Places if run == inertia_solve.RUN else SlopePlaces)(self, passage, run, entries)
 
 
 def is_offered(chain: Chain) -> bool:
@@ -226,7 +226,8 @@ def is_chosen(chain: Chain, layout: str) -> bool:
 def content(chain: Chain, baked: Sequence[dict] | None) -> dict:
     """The templates' context for the slopes of the generalised forces."""
     own: dict = {name: f"{name}[{{}}]" for name in ("rows", "F_q", "F_v", "r", "v")}
-    made, moved, pair = _phases(chain, baked, FORCES), pair_slopes.moved(), pair_slopes.entries()
+    solving = solves_by_elimination(chain, baked)
+    made, moved, pair = _phases(chain, baked, FORCES, solving), pair_slopes.moved(), pair_slopes.entries(not solving)
     carried = sum(map(pair_ranges.width, pair_ranges.carrying(chain)))
     made["operations"] += carried * moved.operation_count + pair_ranges.count_pairs(chain) * pair.operation_count
     return made | {
@@ -257,21 +258,41 @@ def wrenches(chain: Chain, baked: Sequence[dict] | None) -> dict:
     }
 
 
-def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
-    """The phases of links, and the ranges of rates over which loops over pairs run."""
+def _links(chain: Chain, baked: Sequence[dict] | None, matter: Matter, solving: bool) -> SlopeLinks:
+    """The functions; ``solving``: those that solve with the inertia too, and none of its blocks."""
     matter = matter.of(chain)
+    if solving:
+        kept = {name for name in matter.results if not name.startswith(("block.M_", "block.gear_M"))}
+        matter = replace(matter, results=frozenset(kept))
+    table = matter.table | ({inertia_solve.RUN: inertia_solve.FUNCTION} if solving else {})
     store, node = f"{matter.run}_link", f"{matter.run}_node"
-    links = SlopeLinks(chain, baked, table=matter.table, store=store, node=node, matter=matter)
+    return SlopeLinks(chain, baked, table=table, store=store, node=node, matter=matter)
+
+
+def solves_by_elimination(chain: Chain, baked: Sequence[dict] | None) -> bool:
+    """Whether the elimination's factors solve with the inertia, no dense ones."""
+    if not inertia_solve.is_offered(chain):
+        return False
+    return inertia_solve.is_chosen(chain, _links(chain, baked, FORCES, True).parted)
+
+
+def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter, solving: bool = False) -> dict:
+    """The phases of links, and the ranges of rates over which loops over pairs run."""
+    links = _links(chain, baked, matter, solving)
+    matter = links.matter
     phases = links.phases(matter.run)
+    solution = inertia_solve.content(links) if solving else None
     programs = [c.program for phase in phases for c in phase["classes"]]
+    in_chain = programs + (solution["distinct"] if solution else [])
     columns = pair_ranges.carried(chain)
     carrying, own = pair_ranges.carrying(chain), [pair_ranges.own(chain, i) for i in range(chain.n)]
     return {
         "phases": phases,
         "programs": list(links.functions.values()),
         "routines": links.routines.functions,
-        "node": node_fields(programs),
-        "store": store_fields(programs, chain),
+        "node": node_fields(in_chain),
+        "store": store_fields(in_chain, chain),
+        "solving": solution,
         "carrying": [pair for pairs in carrying for pair in pairs],
         "carrying_at": starts(carrying),
         "columns": f"$$_NV + {columns[-1] - chain.nv}" if columns[-1] > chain.nv else "$$_NV",
@@ -281,6 +302,7 @@ def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
         "own_at": starts(own),
         "gathers": bool(inputs.scratch(chain)),
         "sparse": bool(not chain.tree.is_chain or chain.n_added),
-        "operations": sum(p.program.operation_count for p in links.passages(matter.run)),
-        "distinct": programs,
+        "operations": sum(p.program.operation_count for p in links.passages(matter.run))
+        + (solution["operations"] if solution else 0),
+        "distinct": in_chain,
     }

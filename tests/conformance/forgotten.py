@@ -269,7 +269,8 @@ TABLE: list[Mutant] = [
     M("loaded friction", "derivatives", ALGORITHMS + "linearise.py",
       'out.f_q[place, axis] + found["by_axis"]', "out.f_q[place, axis]"),
     # ------------------------------------------------------------------------------------------- internal states
-    M("bristles", "judge", ALGORITHMS + "axis_laws.py", "        total = total + bent.stiffness * (z * z)\n", ""),
+    M("bristles", "judge", ALGORITHMS + "axis_laws.py",
+      "        total = total + bent.stiffness * (z * z) / bent.sticks\n", ""),
     M("bristles", "derivatives", "screwgen/backends/numpy/numeric.py",
       "np.hstack([f.f_v, f.f_z])", "np.hstack([f.f_v, 0 * f.f_z])"),
     M("bristles", "CasADi", ALGORITHMS + "linear_model.py",

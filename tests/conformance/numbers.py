@@ -281,13 +281,13 @@ def c_functions(case: Case, layout: str, parameters: str = "runtime") -> None:
     for row in offered(case.model.chain):
         if row.c_file:
             alike(case, row, flat(getattr(c, row.name)(q, v, tau, w_ext)), expected[row.name])
-    x = c.dae_state(q, v)
-    near(x, case.model.numpy().dae_state(q, v), case.agreement, "state of the DAE form")
+    near(x := c.dae_state(q, v), case.model.numpy().dae_state(q, v), case.agreement, "state of the DAE form")
     for method in METHODS:
         near(np.concatenate(c.step(q, v, tau, w_ext, case.step, method)), np.concatenate(stepped(case, method)),
              case.solved, method)  # fmt: skip
         there = stepper(case.model, method, "dae").step(x, case.acting, w_ext, case.step)
-        near(c.dae_step(x, tau, w_ext, case.step, method), there, 10 * case.solved, f"{method} of the DAE form")
+        if np.abs(there - x).max() < 1e4:  # of one far beyond the stability of rk4 rounding is all that is left
+            near(c.dae_step(x, tau, w_ext, case.step, method), there, 10 * case.solved, f"{method} of the DAE form")
 
 
 def by_elimination(case: Case, c: Compiled) -> None:

@@ -135,6 +135,7 @@ firmware: $(READY)
 	$(BIN)/python firmware/firmware.py --workers $(WORKERS) $(ARGS)
 	$(BIN)/python firmware/estimate.py
 	$(BIN)/python firmware/payload.py $(filter --record,$(ARGS))
+	$(BIN)/python firmware/slopes.py $(filter --record,$(ARGS))
 	$(BIN)/python firmware/predictive.py $(filter --record,$(ARGS))
 	$(BIN)/python firmware/motions.py $(filter --record,$(ARGS))
 

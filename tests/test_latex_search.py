@@ -6,6 +6,7 @@ from xml.etree import ElementTree
 
 import pytest
 from browsers import every_browser, started
+from conftest import swept
 from helpers import arm, link
 from latex_documents import PLUGINS
 from test_document_reader import EXAMPLES
@@ -96,11 +97,12 @@ def test_what_readers_type_is_found(program, tmp_path):
 
 BOLD = "\U0001d400"
 """The first of the letters that are bold."""
+LARGE = ("soft_gripper", "tentacle")
 INDICES = {"i", "j", "k", "c", ";", "…"}
 FORMULA = r'<div class="formula[^"]*" id="[^"]*">(<math>.*?</math>)</div>\s*(?:<p[^>]*>(.*?)</p>)?'
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.parametrize("name", swept(EXAMPLES, *(name for name in EXAMPLES if name not in LARGE)))
 def test_every_symbol_of_the_first_formulas_has_a_card(name):
     """Of the first five, but for indices, and for plain letters of a law, which the text beside it or the table has."""
     shown = body(name)

@@ -21,7 +21,7 @@ DRAWS = (901, 902, 903, 903, 901, 903, 902)
 """Draws of trees that can follow all that their loops forbid, most of them with drives."""
 
 
-@pytest.mark.parametrize("seed", swept(range(len(JOINTS)), 0, 3))
+@pytest.mark.parametrize("seed", swept(range(len(JOINTS)), 3))
 def test_random_trees_with_a_loop(seed):
     """Closed or open: where a loop is open both have the same stabilisation."""
     rng, opened = np.random.default_rng([DRAWS[seed], seed]), 0.02 * (seed % 2)

@@ -13,12 +13,12 @@ BEHIND = 95064
 """Among whose tips a marker of a force comes after that of the last link."""
 
 
-@pytest.mark.parametrize("seed", [*swept(range(24), 1, 2, *KEPT), LOCKED])
+@pytest.mark.parametrize("seed", [*swept(range(24), 1, KEPT[0]), LOCKED])
 def test_a_random_robot_equals_the_oracle_in_every_back_end(seed, tmp_path):
     judged(drawn(seed, tmp_path), "modular" if seed in KEPT else layout_of(seed))
 
 
-@pytest.mark.parametrize("seed", [*swept(range(93001, 93013), 93003, 93010), BEHIND])
+@pytest.mark.parametrize("seed", [*swept(range(93001, 93013), 93010), BEHIND])
 def test_a_random_robot_with_ball_joints_springs_tendons_and_markers_equals_the_oracle(seed, tmp_path):
     judged(drawn(seed, tmp_path, dress=True), layout_of(seed))
 

@@ -24,9 +24,11 @@ DRAWN = random_rows(48)
 LONG = (
     *("JAX, gradients", "mock-up unit", "C folder", "commands", "derivatives by parameters", "estimator of parameters"),
     *("C, float", "lanes, float", "plan", "predictive control", "JAX"),
+    *("C, baked", "identification", "DAE runs", "URDF"),
 )
-"""Checks that try each feature, but not each pair: they take long, compile a text again in another precision, or, as
-JAX, translate operation by operation the programs that CasADi's check tries with all pairs."""
+"""Checks that try each feature, but not each pair: they take long, compile a text again with other numbers or in another
+precision, or put together what checks of all pairs try one by one: as JAX, operation by operation, CasADi's programs;
+baked C and runs of the DAE form what C and DAE form do; identification runs and slopes."""
 QUICK = tuple(name for name in CHECKS if name not in LONG)
 SOME = ("judge", "DAE form", "CasADi", "C, fused", "derivatives of steps", "document")
 OTHERS = [(k, name) for k in range(len(ROWS)) for name in QUICK if k not in SHORT]

@@ -26,8 +26,8 @@ LONG = (
     *("C, float", "lanes, float", "plan", "predictive control", "JAX"),
     *("C, baked", "identification", "DAE runs", "URDF"),
 )
-"""Checks that try each feature, but not each pair: they take long, compile a text again in another form, or put together what
-checks of all pairs try one by one: as JAX CasADi's programs, runs of the DAE form its steps, identification slopes."""
+"""Checks that try each feature, but not each pair: they take long, compile a text again in another form, or put
+together what checks of all pairs try: JAX CasADi's programs, runs of the DAE form its steps, identification slopes."""
 QUICK = tuple(name for name in CHECKS if name not in LONG)
 SOME = ("judge", "DAE form", "CasADi", "C, fused", "derivatives of steps", "document")
 OTHERS = [(k, name) for k in range(len(ROWS)) for name in QUICK if k not in SHORT]

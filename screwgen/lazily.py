@@ -4,6 +4,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    import mpmath
     import scipy.interpolate as interpolate
     import scipy.linalg as linalg
     import scipy.optimize as optimize
@@ -23,5 +24,6 @@ else:
 
     sp, linalg, transform = _Lazy("sympy"), _Lazy("scipy.linalg"), _Lazy("scipy.spatial.transform")
     interpolate, optimize = _Lazy("scipy.interpolate"), _Lazy("scipy.optimize")
+    mpmath = _Lazy("mpmath")
 
-__all__ = ["interpolate", "linalg", "optimize", "sp", "transform"]
+__all__ = ["interpolate", "linalg", "mpmath", "optimize", "sp", "transform"]

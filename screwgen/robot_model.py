@@ -52,7 +52,7 @@ class RobotModel:
         names = coordinate_names(robot)
         self.q_names, self.v_names = list(names.q), list(names.v)
         self.tau_names, self.wrench_names = list(names.tau), list(names.wrench)
-        self.marker_names, self.strain_names = [m.name for m in self.chain.markers], list(strain_names(self.chain))
+        self.marker_names = [m.name for m in self.chain.markers]
         self.force_quantities = {name: x.unit for name, x in self.chain.force_quantities.items()}
         self.parameter_names = [p.name for p in parameters(robot)]
         self.parameter_values = [p.value for p in parameters(robot)]
@@ -76,6 +76,11 @@ class RobotModel:
     def made(self, key: Hashable) -> bool:
         """Whether :meth:`once` has made it."""
         return key in self._kept
+
+    @cached_property
+    def strain_names(self) -> list[str]:
+        """Of the strains at bases and markers, as `forearm.base_strain.bending_y`."""
+        return list(strain_names(self.chain))
 
     @property
     def version(self) -> str:

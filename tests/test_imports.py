@@ -147,7 +147,7 @@ def test_the_stub_names_what_the_package_offers():
     assert all(getattr(screwgen, name) is not None for name in screwgen.__all__)
 
 
-HEAVY = ("casadi", "matplotlib", "scipy.linalg", "scipy.spatial", "sympy")
+HEAVY = ("casadi", "matplotlib", "mpmath", "scipy.linalg", "scipy.spatial", "sympy")
 
 
 @pytest.mark.parametrize(

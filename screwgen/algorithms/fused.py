@@ -7,10 +7,9 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import update_wrapper
 from typing import Any, Protocol
 
-import mpmath
-
 from ..ir.program import Program, Tracer, Value
 from ..ir.replay import inline, run
+from ..lazily import mpmath
 from ..spec.parameters import of_forces, parameters
 from ..topology.chain import Chain
 from .columns import columns, link_columns, width

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from ..bodies.markers import STRAIN_UNITS, strains
+from ..bodies.markers import STRAIN_UNITS, strained, strains
 from ..ir.program import Value
 from ..spec.markers import BASE
 from ..spec.parameters import parameters
@@ -34,15 +34,14 @@ def _strains(s: Scope, place: float) -> list[Value]:
 
 def base_strains(chain: Chain) -> int:
     """How many strains there are at bases; they are the first."""
-    return sum(len(strains(chain.keys[i], BASE)) for i in chain.firsts)
+    return sum(len(strained(chain.keys[i])) for i in chain.firsts)
 
 
 def strain_names(chain: Chain) -> dict[str, str]:
     """The names and units of the strains: at the bases of all links, then at the markers that links declare."""
-    bases = [(f"{chain.segments[i].owner}.base_strain", i, BASE) for i in chain.firsts]
-    named = [(f"{m.name}.strain", m.segment, m.at) for m in chain.markers if not m.is_tip]
-    found = [(name, x.direction) for name, i, at in bases + named for x in strains(chain.keys[i], at)]
-    return {f"{name}.{direction}": STRAIN_UNITS[direction] for name, direction in found}
+    bases = [(f"{chain.segments[i].owner}.base_strain", i) for i in chain.firsts]
+    named = [(f"{m.name}.strain", m.segment) for m in chain.markers if not m.is_tip]
+    return {f"{name}.{d}": STRAIN_UNITS[d] for name, i in bases + named for d in strained(chain.keys[i])}
 
 
 @dataclass(frozen=True)

@@ -6,9 +6,7 @@ a load. The paper uses them, and measured frequencies belong to them.
 
 from __future__ import annotations
 
-import mpmath
-from mpmath import mpc, mpf
-
+from ..lazily import mpmath
 from .closed_form import ClosedForm
 from .shapes import Family, Shapes, latex_number, tabulate, working_digits
 from .sine import sine
@@ -34,7 +32,7 @@ def clamped_free(count: int, order: int = 2) -> Shapes:
         return tabulate(FAMILY, [_mode(root) for root in roots], roots, [_latex(root) for root in roots])
 
 
-def _root(k: int) -> mpf:
+def _root(k: int) -> mpmath.mpf:
     """The k-th root of cos x + 1 / cosh x = 0, by Newton's method from (2k - 1) pi / 2."""
     x = (2 * k - 1) * mpmath.pi / 2
     for _ in range(mpmath.mp.prec.bit_length() + 2):  # correct bits double with every iteration
@@ -42,27 +40,27 @@ def _root(k: int) -> mpf:
     return x
 
 
-def _growth(root: mpf) -> mpf:
+def _growth(root: mpmath.mpf) -> mpmath.mpf:
     """1 - sigma, in a form without cancellation: it is as small as 2 exp(-lambda)."""
     cos, sin = mpmath.cos_sin(root)
     return (cos + sin + mpmath.exp(-root)) / (mpmath.cosh(root) + cos)
 
 
-def _mode(root: mpf) -> ClosedForm:
+def _mode(root: mpmath.mpf) -> ClosedForm:
     """psi_k in exponentials: all terms stay of order one on [0, 1], so nothing cancels for large lambda."""
     growth = _growth(root)
-    swing = mpc(-1, growth - 1) / 2
+    swing = mpmath.mpc(-1, growth - 1) / 2
     return ClosedForm(
         {
             root: [growth / 2],
             -root: [1 - growth / 2],
-            mpc(0, root): [swing],
-            mpc(0, -root): [mpmath.conj(swing)],
+            mpmath.mpc(0, root): [swing],
+            mpmath.mpc(0, -root): [mpmath.conj(swing)],
         }
     )
 
 
-def _latex(root: mpf) -> str:
+def _latex(root: mpmath.mpf) -> str:
     x = latex_number(root) + r"\,s"
     sigma = latex_number(1 - _growth(root))
     return rf"\cosh {x} - \cos {x} - {sigma}\,(\sinh {x} - \sin {x})"

@@ -14,10 +14,9 @@ from itertools import zip_longest
 from math import comb
 from typing import TypeAlias
 
-import mpmath
-from mpmath import mpc, mpf
+from ..lazily import mpmath
 
-Scalar: TypeAlias = mpf | mpc
+Scalar: TypeAlias = "mpmath.mpf | mpmath.mpc"
 
 
 class ClosedForm:
@@ -32,7 +31,7 @@ class ClosedForm:
         """`terms` maps each exponent alpha to its coefficients (c_0, c_1, ...), lowest power first."""
         self.terms = {alpha: tuple(coefficients) for alpha, coefficients in terms.items()}
 
-    def __call__(self, s: Scalar | float) -> mpf:
+    def __call__(self, s: Scalar | float) -> mpmath.mpf:
         """The function's value at `s`."""
         values = (mpmath.exp(alpha * s) * mpmath.polyval(c[::-1], s) for alpha, c in self.terms.items())
         return mpmath.re(mpmath.fsum(values))
@@ -74,30 +73,30 @@ class ClosedForm:
             }
         )
 
-    def integral(self) -> mpf:
+    def integral(self) -> mpmath.mpf:
         """The definite integral over [0, 1]."""
         parts = (mpmath.fdot(c, _moments(alpha, len(c))) for alpha, c in self.terms.items())
         return mpmath.re(mpmath.fsum(parts))
 
 
-def inner(f: ClosedForm, g: ClosedForm) -> mpf:
+def inner(f: ClosedForm, g: ClosedForm) -> mpmath.mpf:
     """The inner product: integral of f g over [0, 1]."""
     return (f * g).integral()
 
 
 def polynomial_form(coefficients: Sequence[Scalar]) -> ClosedForm:
     """The polynomial c_0 + c_1 s + c_2 s^2 + ..."""
-    return ClosedForm({mpf(0): coefficients})
+    return ClosedForm({mpmath.mpf(0): coefficients})
 
 
 def _sum(a: Sequence[Scalar], b: Sequence[Scalar]) -> tuple[Scalar, ...]:
     """Coefficients of the sum of two polynomials."""
-    return tuple(x + y for x, y in zip_longest(a, b, fillvalue=mpf(0)))
+    return tuple(x + y for x, y in zip_longest(a, b, fillvalue=mpmath.mpf(0)))
 
 
 def _convolution(a: Sequence[Scalar], b: Sequence[Scalar]) -> list[Scalar]:
     """Coefficients of the product of two polynomials."""
-    product: list[Scalar] = [mpf(0)] * (len(a) + len(b) - 1)
+    product: list[Scalar] = [mpmath.mpf(0)] * (len(a) + len(b) - 1)
     for i, x in enumerate(a):
         for j, y in enumerate(b):
             product[i + j] += x * y
@@ -118,7 +117,7 @@ def _moments(alpha: Scalar, count: int) -> list[Scalar]:
     clamped-free mode differ in frequency by 2e-43.
     """
     if not alpha:
-        return [1 / mpf(n + 1) for n in range(count)]
+        return [1 / mpmath.mpf(n + 1) for n in range(count)]
     with mpmath.extradps(_lost_digits(mpmath.fabs(alpha), count)):
         end = mpmath.exp(alpha)
         moments = [(end - 1) / alpha]
@@ -127,7 +126,7 @@ def _moments(alpha: Scalar, count: int) -> list[Scalar]:
     return moments
 
 
-def _lost_digits(size: mpf, count: int) -> int:
+def _lost_digits(size: mpmath.mpf, count: int) -> int:
     """Decimal digits by which n! / size^(n+1) exceeds 1 for n < count (largest at one of the two ends)."""
     ends = (mpmath.loggamma(n + 1) - (n + 1) * mpmath.log(size) for n in (0, count - 1))
     return max(0, int(mpmath.ceil(max(ends) / mpmath.ln10)))

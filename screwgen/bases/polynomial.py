@@ -9,9 +9,7 @@ from __future__ import annotations
 
 from math import comb
 
-import mpmath
-from mpmath import mpf
-
+from ..lazily import mpmath
 from .closed_form import ClosedForm, inner, polynomial_form
 from .shapes import Family, Shapes, latex_number, tabulate, working_digits
 
@@ -53,10 +51,12 @@ def polynomial(count: int, order: int = 2) -> Shapes:
 def _jacobi(n: int, order: int) -> ClosedForm:
     """sqrt(2n + 2m + 1) s^m P_n^(0,2m)(2s - 1), m the order: orthonormal on [0, 1], with integer coefficients."""
     jacobi = [(-1) ** (n - j) * comb(n, j) * comb(n + 2 * order + j, n) for j in range(n + 1)]
-    return polynomial_form([mpf(0)] * order + [mpf(c) for c in jacobi]).scaled(mpmath.sqrt(2 * n + 2 * order + 1))
+    return polynomial_form([mpmath.mpf(0)] * order + [mpmath.mpf(c) for c in jacobi]).scaled(
+        mpmath.sqrt(2 * n + 2 * order + 1)
+    )
 
 
-def _ritz(forms: list[ClosedForm], order: int) -> tuple[list[mpf], list[list[mpf]]]:
+def _ritz(forms: list[ClosedForm], order: int) -> tuple[list[mpmath.mpf], list[list[mpmath.mpf]]]:
     """Eigenvalues (ascending) and orthonormal eigenvectors of the stiffness matrix of `forms`."""
     strains = [form.derivative(order) for form in forms]
     size = range(len(forms))
@@ -68,19 +68,19 @@ def _ritz(forms: list[ClosedForm], order: int) -> tuple[list[mpf], list[list[mpf
     return list(eigenvalues), [[vectors[j, k] for j in size] for k in size]
 
 
-def _combination(vector: list[mpf], forms: list[ClosedForm]) -> ClosedForm:
+def _combination(vector: list[mpmath.mpf], forms: list[ClosedForm]) -> ClosedForm:
     """sum_j vector_j form_j, its sign chosen so that the tip value is positive."""
     mode = polynomial_form([])
     for factor, form in zip(vector, forms, strict=True):
         mode += form.scaled(factor)
-    return mode if mode(1) > 0 else mode.scaled(mpf(-1))
+    return mode if mode(1) > 0 else mode.scaled(mpmath.mpf(-1))
 
 
 def polynomial_latex(mode: ClosedForm, digits: int = 7) -> str:
     """The LaTeX of a polynomial that vanishes at 0, its coefficients with so many digits."""
     (coefficients,) = mode.terms.values()
     terms = (
-        f"{latex_number(mpf(float(c)), digits)}\\,s" + (f"^{{{n}}}" if n > 1 else "")
+        f"{latex_number(mpmath.mpf(float(c)), digits)}\\,s" + (f"^{{{n}}}" if n > 1 else "")
         for n, c in enumerate(coefficients)
         if c
     )

@@ -10,14 +10,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 
-import mpmath
-from mpmath import mpf
-
+from ..lazily import mpmath
 from .closed_form import ClosedForm, inner, polynomial_form
 
 Matrix = tuple[tuple[float, ...], ...]
 
-NEGLIGIBLE = mpf("1e-30")
+NEGLIGIBLE = 1e-30
 """Distance from an integer below which a constant is that integer: orthogonality is an exact zero."""
 
 
@@ -76,7 +74,7 @@ class Shapes:
         points = tuple(points)
         with mpmath.workdps(working_digits(self.count)):
             forms = [psi.derivative(derivative) for psi in self.functions]
-            return tuple(rounded(form(mpf(float(s))) for s in points) for form in forms)
+            return tuple(rounded(form(mpmath.mpf(float(s))) for s in points) for form in forms)
 
 
 def working_digits(count: int) -> int:
@@ -88,21 +86,21 @@ def working_digits(count: int) -> int:
     return 70 + 2 * count
 
 
-def rounded(values: Iterable[mpf]) -> tuple[float, ...]:
+def rounded(values: Iterable[mpmath.mpf]) -> tuple[float, ...]:
     """Doubles nearest to `values`; those within `NEGLIGIBLE` of an integer become that integer."""
     return tuple(_rounded(value) for value in values)
 
 
-def _rounded(value: mpf) -> float:
+def _rounded(value: mpmath.mpf) -> float:
     integer = mpmath.nint(value)
     return float(integer if abs(value - integer) < NEGLIGIBLE else value) + 0.0  # + 0.0: no negative zero
 
 
 def tabulate(
-    family: Family, functions: Sequence[ClosedForm], eigenvalues: Sequence[mpf], formulas: Sequence[str]
+    family: Family, functions: Sequence[ClosedForm], eigenvalues: Sequence[mpmath.mpf], formulas: Sequence[str]
 ) -> Shapes:
     """The constants of orthonormal `functions`, at the precision of the caller, who sets `working_digits`."""
-    abscissa = ClosedForm({mpf(0): (mpf(0), mpf(1))})
+    abscissa = ClosedForm({mpmath.mpf(0): (mpmath.mpf(0), mpmath.mpf(1))})
     strains = [psi.derivative(family.order) for psi in functions]
     return Shapes(
         family=family,
@@ -140,23 +138,23 @@ def integrals(
     """
     digits = working_digits(max(a.count, b.count))
     with mpmath.workdps(digits):
-        kernel = [[mpf(0)] * (weight or 0) + [mpf(1)]]
+        kernel = [[mpmath.mpf(0)] * (weight or 0) + [mpmath.mpf(1)]]
         for _ in range(times - (weight is None)):
-            kernel = to_the_end(kernel, [mpf(1)])
-        scale = mpf(end) ** times  # f on [0, end] is a function on [0, 1], each integral of it times `end`
-        part = lambda psi, order: psi.derivative(order).within(mpf(0), mpf(end))  # noqa: E731
+            kernel = to_the_end(kernel, [mpmath.mpf(1)])
+        scale = mpmath.mpf(end) ** times  # f on [0, end] is a function on [0, 1], each integral of it times `end`
+        part = lambda psi, order: psi.derivative(order).within(mpmath.mpf(0), mpmath.mpf(end))  # noqa: E731
         left = [polynomial_form(*kernel) * part(psi, first) for psi in a.functions]
         right = [part(psi, second) for psi in b.functions]
         return tuple(rounded(scale * inner(f, g) for g in right) for f in left)
 
 
-def to_the_end(pieces: Sequence[Sequence[mpf]], sizes: Sequence[mpf]) -> list[list[mpf]]:
+def to_the_end(pieces: Sequence[Sequence[mpmath.mpf]], sizes: Sequence[mpmath.mpf]) -> list[list[mpmath.mpf]]:
     """The integral from s to 1 of a function of s that is polynomial in intervals, in the same form.
 
     `pieces`: for every interval the coefficients in t from 0 to 1 along it; `sizes`: their lengths. This moves an
     integral from one factor to the other, ``∫ g(s) ∫_0^s f = ∫ f(s) ∫_s^1 g``.
     """
-    out, rest = [], mpf(0)
+    out, rest = [], mpmath.mpf(0)
     for piece, size in zip(reversed(pieces), reversed(sizes), strict=True):
         primitive = [size * c / (n + 1) for n, c in enumerate(piece)]
         rest += mpmath.fsum(primitive)
@@ -164,7 +162,7 @@ def to_the_end(pieces: Sequence[Sequence[mpf]], sizes: Sequence[mpf]) -> list[li
     return out[::-1]
 
 
-def latex_number(value: mpf, digits: int = 7) -> str:
+def latex_number(value: mpmath.mpf, digits: int = 7) -> str:
     """`value` in LaTeX, rounded to that many significant digits."""
     mantissa, _, exponent = mpmath.nstr(value, digits, min_fixed=-3, max_fixed=7).partition("e")
     return mantissa + (rf"\times 10^{{{int(exponent)}}}" if exponent else "")

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import mpmath
-from mpmath import mpc, mpf
-
+from ..lazily import mpmath
 from .closed_form import ClosedForm
 from .shapes import Family, Shapes, tabulate, working_digits
 
@@ -27,10 +25,10 @@ def sine(count: int) -> Shapes:
         return tabulate(FAMILY, modes, frequencies, [_latex(n) for n in odd])
 
 
-def _mode(frequency: mpf) -> ClosedForm:
+def _mode(frequency: mpmath.mpf) -> ClosedForm:
     """sqrt 2 sin(frequency s)."""
-    half = mpc(0, mpmath.sqrt(2) / 2)
-    return ClosedForm({mpc(0, frequency): [-half], mpc(0, -frequency): [half]})
+    half = mpmath.mpc(0, mpmath.sqrt(2) / 2)
+    return ClosedForm({mpmath.mpc(0, frequency): [-half], mpmath.mpc(0, -frequency): [half]})
 
 
 def _latex(n: int) -> str:

@@ -9,15 +9,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
+from typing import TypeAlias
 
-import mpmath
-from mpmath import mpf
-
+from ..lazily import mpmath
 from .closed_form import ClosedForm, inner, polynomial_form
 from .shapes import Shapes, rounded, to_the_end, working_digits
 
 LINEAR, POLYNOMIAL = "linear", "polynomial"
-Piece = tuple[mpf, mpf, tuple[tuple[int, ClosedForm], ...]]
+Piece: TypeAlias = "tuple[mpmath.mpf, mpmath.mpf, tuple[tuple[int, ClosedForm], ...]]"
 """An interval of s, and the weight functions there: station and function of t in [0, 1] along the interval."""
 
 
@@ -42,8 +41,8 @@ class Weights:
         whole = self._whole()
         if self.segments == 1:
             return whole
-        first, out = mpf(self.segment) / self.segments, []
-        last = mpf(self.segment + 1) / self.segments
+        first, out = mpmath.mpf(self.segment) / self.segments, []
+        last = mpmath.mpf(self.segment + 1) / self.segments
         for a, b, functions in whole:
             start, end = max(a, first), min(b, last)
             if end > start:
@@ -66,20 +65,21 @@ class Weights:
         """The weight functions at s in [0, 1] that are not zero there, by station."""
         with mpmath.workdps(working_digits(0)):
             a, b, functions = next(p for p in self.pieces() if s <= p[1])
-            return {station: float(form((mpf(s) - a) / (b - a))) for station, form in functions}
+            return {station: float(form((mpmath.mpf(s) - a) / (b - a))) for station, form in functions}
 
     def corners(self) -> list[tuple[float, float, dict[int, tuple[float, float]]]]:
         """The intervals with the weight functions at their two ends, by station, which tell those that are linear."""
         with mpmath.workdps(working_digits(0)):
-            at = lambda form: (float(form(mpf(0))), float(form(mpf(1))))  # noqa: E731
+            at = lambda form: (float(form(mpmath.mpf(0))), float(form(mpmath.mpf(1))))  # noqa: E731
             return [(float(a), float(b), {k: at(form) for k, form in own}) for a, b, own in self.pieces()]
 
     def _whole(self) -> list[Piece]:
         """Those along the whole link."""
-        s = [mpf(place) for place in self.places]
+        zero, one = mpmath.mpf(0), mpmath.mpf(1)
+        s = [mpmath.mpf(place) for place in self.places]
         if self.between == POLYNOMIAL:
-            return [(mpf(0), mpf(1), tuple((a, _lagrange(s, a)) for a in range(len(s))))]
-        falling, rising = polynomial_form([mpf(1), mpf(-1)]), polynomial_form([mpf(0), mpf(1)])
+            return [(zero, one, tuple((a, _lagrange(s, a)) for a in range(len(s))))]
+        falling, rising = polynomial_form([one, -one]), polynomial_form([zero, one])
         pairs = [(a, s[a], s[a + 1]) for a in range(len(s) - 1)]
         return [(start, end, ((a, falling), (a + 1, rising))) for a, start, end in pairs if end > start]
 
@@ -146,11 +146,11 @@ def weighted_integrals(
         return tuple(tuple(constants(f, g) for g in right) for f in left)
 
 
-def _kernel(pieces: list[Piece], sizes: list[mpf], station: int, times: int, power: int) -> list[ClosedForm]:
+def _kernel(pieces: list[Piece], sizes: list[mpmath.mpf], station: int, times: int, power: int) -> list[ClosedForm]:
     """The polynomials p with ``∫ w s^power ∫…∫ f = ∫ p f``, one in each interval, for a station's weight function w."""
-    none = polynomial_form([mpf(0)])
+    none = polynomial_form([mpmath.mpf(0)])
     forms = [_monomial(power).within(a, b) * dict(functions).get(station, none) for a, b, functions in pieces]
-    kernel = [list(form.terms[mpf(0)]) for form in forms]
+    kernel = [list(form.terms[mpmath.mpf(0)]) for form in forms]
     for _ in range(times):
         kernel = to_the_end(kernel, sizes)
     return [polynomial_form(piece) for piece in kernel]
@@ -161,9 +161,9 @@ def _local(pieces: list[Piece], form: ClosedForm) -> list[ClosedForm]:
     return [form.within(start, end) for start, end, _ in pieces]
 
 
-def _integrals(weights: Weights, pieces: list[Piece], local: list[ClosedForm]) -> list[mpf]:
+def _integrals(weights: Weights, pieces: list[Piece], local: list[ClosedForm]) -> list[mpmath.mpf]:
     """The integrals of a function, given in every interval, times each weight function."""
-    out = [mpf(0)] * len(weights.places)
+    out = [mpmath.mpf(0)] * len(weights.places)
     for (start, end, functions), form in zip(pieces, local, strict=True):
         for station, function in functions:
             out[station] += (end - start) * (function * form).integral()
@@ -171,13 +171,13 @@ def _integrals(weights: Weights, pieces: list[Piece], local: list[ClosedForm]) -
 
 
 def _monomial(power: int) -> ClosedForm:
-    return polynomial_form([mpf(0)] * power + [mpf(1)])
+    return polynomial_form([mpmath.mpf(0)] * power + [mpmath.mpf(1)])
 
 
-def _lagrange(places: list[mpf], a: int) -> ClosedForm:
+def _lagrange(places: list[mpmath.mpf], a: int) -> ClosedForm:
     """The polynomial that is 1 at the place of station ``a`` and 0 at all others."""
-    out = polynomial_form([mpf(1)])
+    out = polynomial_form([mpmath.mpf(1)])
     for b, place in enumerate(places):
         if b != a:
-            out = out * polynomial_form([-place, mpf(1)]).scaled(1 / (places[a] - place))
+            out = out * polynomial_form([-place, mpmath.mpf(1)]).scaled(1 / (places[a] - place))
     return out

@@ -71,11 +71,16 @@ def twist(key: LinkClass, points: tuple[float, ...]) -> np.ndarray:
     return out
 
 
+def strained(key: LinkClass) -> list[str]:
+    """The directions that have modes, each with a strain at every section; none of a body from a file."""
+    return list(dict.fromkeys(d for d, _ in key.directions if d in ORDER))
+
+
 def strains(key: LinkClass, s: float) -> list[Strain]:
-    """The strains at the section s, one for each direction that has modes; none of a body from a file."""
+    """The strains at the section s, one for each direction of `strained`."""
     return [
         Strain(d, _columns(key, d), [float(x) for x in _values(key, d, (s,), ORDER[d])[0]], ORDER[d])
-        for d in dict.fromkeys(d for d, _ in key.directions if d in ORDER)
+        for d in strained(key)
     ]
 
 

@@ -14,9 +14,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any, TypeGuard
 
-import mpmath
 import numpy as np
 
+from ..lazily import mpmath
 from ..notebook import program_text
 from .names import Label, OperationGroup
 

@@ -6,11 +6,10 @@ from collections.abc import Iterable, Sequence
 from itertools import islice
 from typing import Any, NamedTuple
 
-import mpmath
-
 from ...algorithms import fused
 from ...errors import UsageError
 from ...integrators.method import Method
+from ...lazily import mpmath
 from ...topology.chain import Chain
 from ..numpy import reference_sums
 from ..numpy.reference import Case, Rounding, assembly_error, cases

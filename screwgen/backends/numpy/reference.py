@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import cast
 
-import mpmath
 import numpy as np
 
 from ...algorithms import fused
@@ -18,6 +17,7 @@ from ...elements import STOP
 from ...errors import ScrewgenError, SingularError
 from ...ir.program import Program
 from ...ir.replay import run
+from ...lazily import mpmath
 from ...spec.brake import BRAKES
 from ...topology.chain import Chain
 from .closing import OpenLoopError, closed

@@ -10,7 +10,6 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-import mpmath
 import numpy as np
 
 from ...algorithms import fused
@@ -20,6 +19,7 @@ from ...bodies.validity import BOUNDS
 from ...errors import SingularError
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
+from ...lazily import mpmath
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .dae_step import DaeDynamics, HeldDae, space_of

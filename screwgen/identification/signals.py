@@ -146,7 +146,7 @@ class Signals:
 
 def _replayed(program: Program, given: Mapping[str, list[Any]]) -> dict[str, list[np.ndarray]]:
     with np.errstate(all="ignore"):  # lanes of trials may have left all bounds
-        return run(program, {name: given[name] for name in program.inputs}, lambda op, x: ARRAYS[op](x))[0]
+        return run(program, {name: given[name] for name in program.inputs}, lambda op, *x: ARRAYS[op](*x))[0]
 
 
 def of_run(model: RobotModel, head: Sequence[str], log: str) -> Columns:

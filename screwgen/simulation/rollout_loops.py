@@ -51,7 +51,7 @@ def _open(model: RobotModel, parameters: np.ndarray, q: np.ndarray, most: np.nda
         p = parameters[part] if len(parameters) > 1 else parameters
         with np.errstate(invalid="ignore", over="ignore"):  # a scenario that stopped may hold an infinite state
             given = {"q": list(np.moveaxis(q[part].astype(float), 2, 0)), "p": list(p.T[..., None])}
-            found = run(program, given, lambda op, x: ARRAYS[op](x))[0]["openings"]
+            found = run(program, given, lambda op, *x: ARRAYS[op](*x))[0]["openings"]
             apart = np.stack([np.broadcast_to(x, q[part].shape[:2]) for x in found]).astype(float)
         apart = np.sqrt(apart).reshape(-1, 2, *q[part].shape[:2])
         out[part] = (apart > most[:, None, None]).any(axis=(0, 1))

@@ -124,9 +124,8 @@ class Signals:
             if callable(number.start):
                 given[number.keyword] = list(number.start(self.model.chain, list(p.T[..., None])))
             else:
-                given[number.keyword] = list(
-                    np.broadcast_to(one.column.numbers.get(number.keyword, number.start), size)
-                )
+                own = one.column.numbers.get(number.keyword, number.starts(self.model.chain))
+                given[number.keyword] = list(np.broadcast_to(own, size))
         return [np.broadcast_to(x, state["q"].shape[:2]) for x in _replayed(program, given)["value"]]
 
     def _traced(self, row: Measurement | None) -> Program:

@@ -207,6 +207,18 @@ class Attitude(Measurement):
         raise UsageError(f"{self.name}: an attitude has neither scale nor offset; leave 'calibrated' out")
 
 
+@dataclass(frozen=True)
+class Angle(Measurement):
+    """A row of angles that begin again after a whole turn, as those of `atan2`: innovations have no whole turns."""
+
+    def innovation(self, measured: Sequence[Value], expected: Sequence[Value]) -> list[Value]:
+        return [without_turns(x) for x in super().innovation(measured, expected)]
+
+    @property
+    def calibrated(self) -> Measurement:
+        raise UsageError(f"{self.name}: an angle of whole turns has no scale; leave 'calibrated' out")
+
+
 def _split(values: Sequence[Value], size: int) -> list[np.ndarray]:
     return [mx.array(values[k : k + size]) for k in range(0, len(values), size)]
 
@@ -255,6 +267,13 @@ def atan2(y: Value, x: Value) -> Value:
         tracer = y.tracer if isinstance(y, Node) else x.tracer  # type: ignore[union-attr]
         return tracer.call("atan2", y, x)
     return math.atan2(y, x)
+
+
+def without_turns(x: Value) -> Value:
+    """An angle, rad, from -pi to pi, of a value that is traced."""
+    return (
+        atan2(x.tracer.call("sin", x), x.tracer.call("cos", x)) if isinstance(x, Node) else math.remainder(x, math.tau)
+    )
 
 
 def along_changes(f: Functions, q: Sequence[Value], values: Sequence[Value]) -> Columns:

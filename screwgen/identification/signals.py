@@ -13,7 +13,7 @@ import numpy as np
 from ..algorithms import fused
 from ..algorithms.functions import PLACES
 from ..algorithms.gauges import gauges
-from ..algorithms.measurement import Attitude, Measurement
+from ..algorithms.measurement import Angle, Attitude, Measurement
 from ..algorithms.measurement_names import measurement
 from ..arguments import choice
 from ..errors import UsageError, one_line
@@ -64,6 +64,9 @@ def signal(model: RobotModel, column: Column) -> SensorSignal:
     row = measurement(model.chain, found["row"])
     if isinstance(row, Attitude):
         raise UsageError(f"{column.name}: {row.name} is an attitude, which is not compared yet; leave the column out")
+    if isinstance(row, Angle):
+        what = "begins again after a whole turn, which is not compared yet"
+        raise UsageError(f"{column.name}: {row.name} {what}; leave the column out")
     size, entry = row.size(model.chain), found["entry"]
     if entry is None and size > 1:
         raise UsageError(f"{column.name}: {said} has {size} entries; name one, as {said}[0]")

@@ -85,7 +85,7 @@ class Rollout:
 
     def __getattr__(self, name: str) -> np.ndarray:
         """What follows from the motions, by name: computed when it is first asked for, in double precision."""
-        robot = self.source and self.source.model.robot
+        robot = self.source.model.robot if self.source else None
         if name in self.__dict__ or not (name in COMPUTED or is_measured(name, robot)):
             raise AttributeError(f"'Rollout' has no attribute '{name}'", name=name, obj=self)
         if name not in COMPUTED:

@@ -34,10 +34,10 @@ def written(text: str, name: str) -> str:
 
 def _with_angles(text: str) -> str:
     """C source with what it calls for angles of points; only sources that call it have it, after their includes."""
-    lanes = "$_lanes_atan2(" in text
-    if not lanes and "$_atan2(" not in text:
+    lanes, first = "$_lanes_atan2(" in text, re.search(r"\$_(lanes_)?atan2\(", text)
+    if first is None:
         return text
-    at = text.index("\n", text.rindex("\n#include ", 0, re.search(r"\$_(lanes_)?atan2\(", text).start()) + 1)
+    at = text.index("\n", text.rindex("\n#include ", 0, first.start()) + 1)
     return f"{text[: at + 1]}\n{render('c/angles.jinja', lanes=lanes)}{text[at + 1 :]}"
 
 

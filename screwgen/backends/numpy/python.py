@@ -45,7 +45,13 @@ def series(order: int, x: float) -> float:
     return total / math.factorial(order)
 
 
-NAMESPACE = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "exp": math.exp, "atan2": math.atan2}
+NAMESPACE: dict[str, Callable[..., float]] = {
+    "sqrt": math.sqrt,
+    "sin": math.sin,
+    "cos": math.cos,
+    "exp": math.exp,
+    "atan2": math.atan2,
+}
 NAMESPACE |= {"c4": c4, "c5": c5}
 for order in range(6, 10):
     NAMESPACE[f"c{order}"] = following(order, NAMESPACE[f"c{order - 2}"])

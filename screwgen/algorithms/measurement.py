@@ -208,7 +208,7 @@ class Attitude(Measurement):
 
 
 @dataclass(frozen=True)
-class Angle(Measurement):
+class CyclicAngle(Measurement):
     """A row of angles that begin again after a whole turn, as those of `atan2`: innovations have no whole turns."""
 
     def innovation(self, measured: Sequence[Value], expected: Sequence[Value]) -> list[Value]:

@@ -13,7 +13,7 @@ import numpy as np
 from ..algorithms import fused
 from ..algorithms.functions import PLACES
 from ..algorithms.gauges import gauges
-from ..algorithms.measurement import Angle, Attitude, Measurement
+from ..algorithms.measurement import Attitude, CyclicAngle, Measurement
 from ..algorithms.measurement_names import measurement
 from ..arguments import choice
 from ..errors import UsageError, one_line
@@ -64,7 +64,7 @@ def signal(model: RobotModel, column: Column) -> SensorSignal:
     row = measurement(model.chain, found["row"])
     if isinstance(row, Attitude):
         raise UsageError(f"{column.name}: {row.name} is an attitude, which is not compared yet; leave the column out")
-    if isinstance(row, Angle):
+    if isinstance(row, CyclicAngle):
         what = "begins again after a whole turn, which is not compared yet"
         raise UsageError(f"{column.name}: {row.name} {what}; leave the column out")
     size, entry = row.size(model.chain), found["entry"]

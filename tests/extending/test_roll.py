@@ -5,7 +5,7 @@ import pytest
 from helpers import QUICK, arm, link, model_of, relative
 
 from screwgen import ScrewgenError, UsageError
-from screwgen.algorithms.measurement import Angle, atan2
+from screwgen.algorithms.measurement import CyclicAngle, atan2
 from screwgen.identification.signals import signal
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.simulation.estimator import Estimator
@@ -21,7 +21,7 @@ def rolled(f, q):
     return [atan2(-down[1], -down[2])]
 
 
-ROLL = Angle("roll", "q", rolled, lambda chain: ["about x"], "rad", ABOUT)
+ROLL = CyclicAngle("roll", "q", rolled, lambda chain: ["about x"], "rad", ABOUT)
 TAU, W_EXT = np.zeros(2), np.zeros((2, 6))
 
 

@@ -19,7 +19,14 @@ BLOCK = 1 << 14
 STRIDE = 64
 """How far apart the samples are that are looked at first."""
 ARRAYS: dict[str, Callable] = {name: np.vectorize(function, otypes=[float]) for name, function in NAMESPACE.items()}
-ARRAYS |= {"sin": np.sin, "cos": np.cos, "sqrt": np.sqrt, "neg": np.negative, "on": lambda x: (x > 0) * 1.0}
+ARRAYS |= {
+    "sin": np.sin,
+    "cos": np.cos,
+    "sqrt": np.sqrt,
+    "atan2": np.arctan2,
+    "neg": np.negative,
+    "on": lambda x: (x > 0) * 1.0,
+}
 
 
 def opened(model: RobotModel, parameters: np.ndarray, q: np.ndarray) -> np.ndarray:

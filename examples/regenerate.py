@@ -15,7 +15,7 @@ import numpy as np
 
 import screwgen
 from screwgen.backends.casadi.functions import chosen, signature
-from screwgen.simulation.measured import MEASURED
+from screwgen.simulation.measured import is_measured
 
 ROOT = Path(__file__).resolve().parents[1]
 EXAMPLES = ("ella", "six_link")
@@ -26,7 +26,7 @@ def main(folder: Path) -> None:
     left_out = {}
     for name in EXAMPLES:
         model = screwgen.derive(screwgen.load(ROOT / "examples" / f"{name}.toml"))
-        files = model.write(folder / name, functions=[x for x in chosen("all", model.casadi()) if x not in MEASURED])
+        files = model.write(folder / name, functions=[x for x in chosen("all", model.casadi()) if not is_measured(x)])
         for path in (Path(name) / file for file in files):
             if path.suffix in LEFT_OUT:
                 left_out[path.as_posix()] = described(folder / path, model.parameter_values)

@@ -159,6 +159,12 @@ class Reader:
             second = self.sum()
             self.need(r"\right)")
             return np.maximum(first, second)
+        if self.take(r"\operatorname{atan2}("):
+            first = self.sum()
+            self.need(",")
+            second = self.sum()
+            self.need(")")
+            return np.arctan2(first, second)
         if self.take(r"\mathrm{H}"):
             return (self.factor() > 0).astype(float)
         if self.take(r"\operatorname{tr}"):

@@ -12,7 +12,7 @@ from helpers import arm, example, flat, link, model_of, relative
 
 from screwgen import Robot, UsageError, derive
 from screwgen.algorithms.functions import Functions
-from screwgen.backends.casadi.expressions import unary
+from screwgen.backends.casadi.expressions import functions
 from screwgen.integrators import METHODS
 from screwgen.simulation.simulate import stepper
 from screwgen.studies.stiffness import stiffness
@@ -233,7 +233,7 @@ def test_stumpff_value_and_derivatives(order, x):
     those of c5: they cancel, so rounding grows by these factors.
     """
     s = ca.SX.sym("s")
-    y = unary(f"c{order}", s)
+    y = functions(f"c{order}", s)
     f = ca.Function("f", [s], [y, ca.jacobian(y, s), ca.jacobian(ca.jacobian(y, s), s)])
     for derivative, found in enumerate(f(x)):
         assert np.isclose(float(found), stumpff(order, x, derivative), rtol=(2e-14, 2e-13, 4e-12)[derivative], atol=0)

@@ -270,8 +270,9 @@ def test_axes_behind_ball_joints_and_tendons_are_terminals():
     tendon = {"name": "flexor", "at": [[0.0, 0.03, 0.0], [0.0, 0.02, 0.0]]}
     soft = {"modes": {"bending_y": 1}, "tendons": [tendon]}
     chain = model_of(arm(link("a", joint={"axes": "ball"}), link("b", 0.5, "yz", **soft))).chain
-    found = variables(Response(chain), list(METHODS), False)
-    listed = ElementTree.fromstring(description.terminals(chain, found)).iter("Terminal")
+    answers = Response(chain)
+    found = variables(answers, list(METHODS), False)
+    listed = ElementTree.fromstring(description.terminals(answers, found)).iter("Terminal")
     members = {x.get("name"): {m.get("memberName"): m.get("variableName") for m in x} for x in listed}
     assert members["b.joint[0]"] == dict(coordinate="b.joint[0]", rate="b.joint_rate[0]", force="b.torque[0]")
     assert members["flexor"] == {what: f"flexor.{what}" for what in ("tension", "length", "power")}

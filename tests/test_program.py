@@ -119,7 +119,7 @@ def expressions(draw, depth=5):
         return draw(st.sampled_from([lambda u, x, y: x, lambda u, x, y: y, lambda u, x, y: c]))
     a = draw(expressions(depth=depth - 1))
     b = draw(expressions(depth=depth - 1))
-    kind = draw(st.sampled_from(["add", "sub", "mul", "div", "neg", "sin", "cos", "sqrt", "c4", "c5"]))
+    kind = draw(st.sampled_from(["add", "sub", "mul", "div", "neg", "sin", "cos", "sqrt", "atan2", "c4", "c5"]))
     return {
         "add": lambda u, x, y: a(u, x, y) + b(u, x, y),
         "sub": lambda u, x, y: a(u, x, y) - b(u, x, y),
@@ -129,14 +129,15 @@ def expressions(draw, depth=5):
         "sin": lambda u, x, y: u("sin", a(u, x, y)),
         "cos": lambda u, x, y: u("cos", a(u, x, y)),
         "sqrt": lambda u, x, y: u("sqrt", 1.0 + a(u, x, y) * a(u, x, y)),
+        "atan2": lambda u, x, y: u("atan2", a(u, x, y), 0.5 + b(u, x, y) * b(u, x, y)),
         "c4": lambda u, x, y: u("c4", a(u, x, y) * a(u, x, y)),
         "c5": lambda u, x, y: u("c5", a(u, x, y) * a(u, x, y)),
     }[kind]
 
 
-def exact(op: str, x):
+def exact(op: str, *x):
     """The primitives in mpmath."""
-    return fused.precise(op, mpmath.mpf(x))
+    return fused.precise(op, *map(mpmath.mpf, x))
 
 
 @settings(max_examples=60)
@@ -179,9 +180,11 @@ def test_specialising_folds_everything_that_is_known():
     assert value(bind(p, {"a": [2.0, 3.0]}), x=[5.0, 7.0]) == [31.0]
 
 
-def test_unary_primitives_are_known_everywhere():
+def test_primitives_are_known_everywhere():
     for op in FUNCTIONS:
-        assert np.isclose(float(exact(op, 0.3)), value(traced(lambda t, x, op=op: [t.call(op, x[0])], x=1), x=[0.3])[0])
+        given = [0.3, 0.7][: 1 + (op == "atan2")]
+        made = traced(lambda t, x, op=op: [t.call(op, *x)], x=len(given))
+        assert np.isclose(float(exact(op, *given)), value(made, x=given)[0])
 
 
 # -------- programs of robots

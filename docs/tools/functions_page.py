@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
 from screwgen.algorithms.robot_function import RobotFunction  # noqa: E402
-from screwgen.algorithms.robot_functions import FUNCTIONS, OUTPUTS, SENSED  # noqa: E402
+from screwgen.algorithms.robot_functions import FUNCTIONS, OUTPUTS  # noqa: E402
 
 PAGE = ROOT / "docs" / "functions.md"
 ROWS = re.compile(r"(?:^\| `.*\n)+", re.MULTILINE)
@@ -32,7 +32,7 @@ def _row(function: RobotFunction) -> str:
         f"`{name}` ({', '.join(str(SIZES.get(str(n), n)) for n in of.shape) or 'a number'}), {of.unit}"
         for name, of in function.results.items()
     ]
-    units = ", units" * (function.c_file == OUTPUTS or function.name in SENSED)
+    units = ", units" * (function.c_file == OUTPUTS or function.sensor)
     about = f"also in C, runs, rollouts{units}. " * bool(function.c_file) + function.about
     return f"| `{function.name}` | {', '.join(function.names)} | {'; '.join(told)} | {about} |\n"
 

@@ -6,9 +6,11 @@ import math
 from collections.abc import Iterable, Sequence
 
 from ..spec.inputs import KIND, OTHERS, places
+from ..spec.parameters import coordinate_names
 from ..spec.tendons import TENSIONS
 from ..topology.chain import Chain
 from .robot_function import RobotFunction, shape
+from .signals import Signal
 
 PARTS: dict[tuple, list[str]] = {
     (): [""],
@@ -16,13 +18,27 @@ PARTS: dict[tuple, list[str]] = {
     (6,): [f".{part}_{x}" for part in ("omega", "v") for x in "xyz"],
     (3, 3): [f"[{row},{column}]" for row in range(3) for column in range(3)],
 }
-"""The ends of the names of entries of vectors, twists and matrices, of the robot or of a marker."""
+"""The ends of the names of entries of vectors, twists and matrices, of the robot or of a marker; see `parts`."""
 QUANTITIES = ("NQUANTITIES",)
 """The shape of what forces between frames report."""
 OWN = {kind: row.own for row in OTHERS for kind in row.kinds}
 """What names begin with behind that of the link, by the word of the input that something belongs to."""
 SIGNS = str.maketrans("-*23", "1·²³")
 """Signs of units in comments of C, and what stands for them elsewhere."""
+
+
+def parts(signal: Signal, own: tuple[int | str, ...]) -> list[str]:
+    """The ends of the names of entries of a result, of the shape ``own`` of one owner."""
+    if signal.parts:
+        return [f".{part}" for part in signal.parts]
+    return PARTS[own] if own in PARTS else [f"[{k}]" for k in range(math.prod(int(n) for n in own))]
+
+
+def names_in(function: RobotFunction, chain: Chain) -> tuple[str, ...]:
+    """The names of the entries of what a robot reports."""
+    drives, markers = coordinate_names(chain.robot).tau, [marker.name for marker in chain.markers]
+    pieces = [segment.name for segment in chain.segments]
+    return entry_names(function, drives, markers, pieces, chain.cylinders, chain.force_quantities)
 
 
 def entry_names(
@@ -52,9 +68,9 @@ def entry_names(
             out += quantities
         elif signal.shape[:1] in (("NMARKERS",), ("NLINKS",)):
             owners = markers if signal.shape[0] == "NMARKERS" else links
-            out += [f"{owner}.{what}{part}" for owner in owners for part in PARTS[signal.shape[1:]]]
+            out += [f"{owner}.{what}{part}" for owner in owners for part in parts(signal, signal.shape[1:])]
         else:
-            out += [what + part for part in PARTS[signal.shape]]
+            out += [what + part for part in parts(signal, signal.shape)]
     return tuple(out)
 
 
@@ -88,6 +104,8 @@ def entry_units(function: RobotFunction, chain: Chain) -> list[str]:
         if of.shape == QUANTITIES:
             out += [quantity.unit for quantity in chain.force_quantities.values()]
             continue
-        count, parts = math.prod(shape(of, chain)), unit_text(of.unit).split(", ")
-        out += [parts[k % 6 // 3 if len(parts) == 2 and of.shape[-1:] == (6,) else 0] for k in range(count)]
+        count, units = math.prod(shape(of, chain)), unit_text(of.unit).split(", ")
+        last = of.shape[-1] if of.shape else 1
+        each = last // len(units) if isinstance(last, int) and last % len(units) == 0 else 0
+        out += [units[k % last // each] if each and isinstance(last, int) else units[0] for k in range(count)]
     return out

@@ -116,15 +116,15 @@ def baked(chain: Chain, algorithms: Sequence[Algorithm] = EVERYTHING) -> list[di
         return [{n: [float(x) for x in v] for n, v in link.items()} for link in exact(chain, algorithms)[1]]
 
 
-def precise(op: str, x: Any) -> Any:
-    """The unary primitives in mpmath."""
+def precise(op: str, x: Any, *more: Any) -> Any:
+    """The primitives in mpmath."""
     if op == "neg":
         return -x
     if op == "on":
         return mpmath.mpf(x > 0)
     if op[0] == "c" and op[1:].isdigit():
         return _stumpff(int(op[1]), x)
-    return getattr(mpmath, op)(x)
+    return getattr(mpmath, op)(x, *more)
 
 
 def _stumpff(order: int, x: Any) -> Any:

@@ -211,14 +211,14 @@ def _rising(tracer: Tracer, slope: Value) -> Value:
 # ------------------------------------------------------------------------------------------ on arrays
 
 
-def on_arrays(op: str, x: Any) -> Any:
-    """The unary primitives on arrays of NumPy."""
-    if op == "neg":
-        return -x
+def on_arrays(op: str, x: Any, *more: Any) -> Any:
+    """The primitives on arrays of NumPy."""
+    if op in ("neg", "atan2"):
+        return -x if op == "neg" else np.arctan2(x, *more)
     return np.asarray(x > 0, float) if op == "on" else getattr(np, op)(x)
 
 
-def replayed(program: Program, given: Mapping[str, Any], unary: Callable = on_arrays) -> dict[str, Any]:
+def replayed(program: Program, given: Mapping[str, Any], functions: Callable = on_arrays) -> dict[str, Any]:
     """The outputs of a program of one coordinate, run on arrays of all of them."""
-    found, _ = run(program, {name: [value] for name, value in given.items()}, unary)
+    found, _ = run(program, {name: [value] for name, value in given.items()}, functions)
     return {name: value for name, (value,) in found.items()}

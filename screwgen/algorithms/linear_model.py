@@ -12,14 +12,17 @@ from .functions import ENERGY, INVERSE, MOTION, PLACES, Functions
 from .fused import fuse, inputs
 from .marker_functions import STRAINED
 from .response import POINT
+from .robot_function import RobotFunction
 from .sensors import ALL, marker_motion
 
 OUTPUTS = ("coordinates", "rates", "position", "velocity", "acceleration", "wrench", "strain")
 """Coordinates and rates, the motion of the last tip in the inertial frame, joint wrenches, strains."""
+SENSED = "sensed_"
+"""Before the names of functions of sensors."""
 
 
-def changes(chain: Chain) -> Program:
-    """``OUTPUTS`` and ``vdot``, and as ``…_along`` their derivatives along a direction.
+def changes(chain: Chain, sensors: Sequence[RobotFunction] = ()) -> Program:
+    """``OUTPUTS``, what ``sensors`` read as ``sensed_…``, and ``vdot``; as ``…_along`` derivatives along a direction.
 
     Of ``(q, v, tau, w_ext, p)`` and the direction ``(d_q, d_v, d_tau, d_w_ext)``. ``d_q`` (nv,) is a change of the
     posture along v: of a floating base a turn and a displacement in axes of F_1.
@@ -35,6 +38,9 @@ def changes(chain: Chain) -> Program:
             "wrench": wrench,
             "strain": f.strains(x["q"]),
         }
+        for row in sensors:
+            read = row.program.body(f, **{name: x[name] for name in row.names})
+            found[SENSED + row.name] = [value for name in row.results for value in read[name]]
         along = {"q": f.coordinate_rates(x["q"], x["d_q"])} | {name: x[f"d_{name}"] for name in POINT[1:]}
         seeds = {a: b for name in POINT for a, b in _moved(x[name], along[name]).items()}
         slopes = iter(tangents([value for values in found.values() for value in values], seeds))
@@ -42,7 +48,8 @@ def changes(chain: Chain) -> Program:
 
     given = inputs(chain, " ".join(POINT))
     given |= {f"d_{name}": size for name, size in given.items()} | {"d_q": chain.nv}
-    return fuse(chain, "linear_model", given, body, algorithms=(*ALL, STRAINED))
+    algorithms = (*ALL, STRAINED, *(algorithm for row in sensors for algorithm in row.algorithms))
+    return fuse(chain, "linear_model", given, body, algorithms=tuple(dict.fromkeys(algorithms)))
 
 
 def _tip(f: Functions, x: Mapping[str, Sequence], vdot: Sequence) -> dict[str, list]:

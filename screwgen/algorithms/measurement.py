@@ -3,12 +3,14 @@
 An example: a sensor says how far a marker is from a beacon. Its row states that it measures one number, in m, and how
 this follows from the coordinates. From the row come the innovation, what was measured less what the state says, and
 its derivatives along v, both traced; the keyword of an update and that of a noise model; members of structs in C. The
-filters in Python and in C loop over rows and know no sensor by name. `measurements` has the rows, `measurement_names`
-says which a caller means.
+filters in Python and in C loop over rows and know no sensor by name. A row that is ``told`` is a function of the robot
+too, which every back end, mock-up units and linear models have. `measurements` has the rows, `measurement_names` says
+which a caller means.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
@@ -19,11 +21,13 @@ from ..errors import UsageError
 from ..ir.derivative import columns, tangents
 from ..ir.program import Node, Program, Value
 from ..joints.exponential import angular_velocity, rotated
+from ..spec.sensor import Sensor
 from ..topology.chain import Chain
 from . import matrices as mx
 from .functions import PLACES, Functions
 from .fused import fuse, inputs
 from .marker_functions import MEASURED
+from .robot_function import SENSORS
 from .schedule import Algorithm
 
 Labels = Callable[[Chain], Sequence[str]]
@@ -44,8 +48,9 @@ class SensorNumber:
     size: Callable[[Chain], int]
     about: str
     """Unit and meaning."""
-    start: float | Callable[[Chain, Sequence[Value]], Sequence[Value]] = 0.0
-    """What they are unless they are stated, or how they follow from the robot's parameters, and cannot be stated."""
+    start: float | tuple[float, ...] | Callable[[Chain, Sequence[Value]], Sequence[Value]] = 0.0
+    """What they are unless they are stated: one number for all, or those of one sensor, which all others have too.
+    Or how they follow from the robot's parameters, and cannot be stated."""
     zero: str = ""
     """Where they must not be 0 of an entry that is measured: what is said of it."""
     role: str = ""
@@ -61,9 +66,51 @@ class SensorNumber:
         """The argument of the row's value that they are."""
         return self.role or self.name
 
+    @property
+    def own_starts(self) -> tuple[float, ...]:
+        """What those of one sensor, or all of them, are unless they are stated."""
+        assert not callable(self.start)
+        return self.start if isinstance(self.start, tuple) else (self.start,)
+
+    def starts(self, chain: Chain) -> list[float]:
+        """What each of them is unless it is stated."""
+        size, own = self.size(chain), self.own_starts
+        if size % len(own):
+            raise UsageError(f"{self.name}: starts as {len(own)} numbers, and there are {size}; start one, or each")
+        return [float(x) for x in own] * (size // len(own))
+
 
 @dataclass(frozen=True)
-class Measurement:
+class AtMarkers:
+    """The labels of a sensor that sits at every marker: of its entries at one, such as ``("x", "y")``; () for one."""
+
+    parts: tuple[str, ...] = ()
+
+    def __call__(self, chain: Chain) -> list[str]:
+        return [f"{m.name}.{part}" if part else m.name for m in chain.markers for part in self.parts or ("",)]
+
+
+class Told(NamedTuple):
+    """How a sensor is a function of the robot besides, by its name, with its numbers as they start."""
+
+    result: str
+    """The name of its result, which no other function has."""
+    meaning: str
+    """What this is, as ``angular velocity of every marker``."""
+    about: str
+    """A sentence on the function."""
+    frame: str = "-"
+    """The frame of its entries."""
+    shape: tuple[int | str, ...] = ()
+    """Of the result, of a sensor that does not sit at markers; sizes as in `robot_function.shape`."""
+    c_file: str = SENSORS
+    """Which file of the C has it, see :data:`.robot_function.SENSORS`."""
+    offered: Callable[[Chain], bool] | None = None
+    """Which robots have the function, if others than have the measurement."""
+
+
+@dataclass(frozen=True)
+class Measurement(Sensor):
     """A row: what a sensor measures in a state. ``value(f, **given)`` is traced, over `Functions` of the robot.
 
     ``given`` are the ``inputs``, out of ``q v vdot tau w_ext``, and the sensor's ``numbers``; where ``vdot`` is among
@@ -77,7 +124,7 @@ class Measurement:
     inputs: str
     value: Callable[..., Sequence[Value]]
     labels: Labels
-    """What its entries are, a text for each."""
+    """What its entries are, a text for each; :class:`AtMarkers` of a sensor that sits at every marker."""
     unit: str
     about: str
     """What is measured, the end of a sentence."""
@@ -92,6 +139,10 @@ class Measurement:
     """The constant of the C that says how many entries there are, if there is one."""
     gated: bool = False
     """Whether it has a gate of its own."""
+    told: Told | None = None
+    """What it is as a function of the robot, if it is one."""
+    noise: float = 0.0
+    """The standard deviation of every entry unless one states it; 0: one must."""
 
     group = 1
     """How many entries are judged as one."""
@@ -124,7 +175,7 @@ class Measurement:
 
         scale = SensorNumber(f"{self.name}_scale", self.size, "factor of readings", 1.0, SCALE, role="scale")
         offset = SensorNumber(f"{self.name}_offset", self.size, f"{self.unit}: added to readings", role="offset")
-        return replace(self, value=value, numbers=(*self.numbers, scale, offset))
+        return replace(self, value=value, numbers=(*self.numbers, scale, offset), noise=0.0)
 
 
 @dataclass(frozen=True)
@@ -154,6 +205,18 @@ class Attitude(Measurement):
     @property
     def calibrated(self) -> Measurement:
         raise UsageError(f"{self.name}: an attitude has neither scale nor offset; leave 'calibrated' out")
+
+
+@dataclass(frozen=True)
+class CyclicAngle(Measurement):
+    """A row of angles that begin again after a whole turn, as those of `atan2`: innovations have no whole turns."""
+
+    def innovation(self, measured: Sequence[Value], expected: Sequence[Value]) -> list[Value]:
+        return [without_turns(x) for x in super().innovation(measured, expected)]
+
+    @property
+    def calibrated(self) -> Measurement:
+        raise UsageError(f"{self.name}: an angle of whole turns has no scale; leave 'calibrated' out")
 
 
 def _split(values: Sequence[Value], size: int) -> list[np.ndarray]:
@@ -196,6 +259,21 @@ def _along_quaternion(E: np.ndarray) -> np.ndarray:
 def root(x: Value) -> Value:
     """The square root of a value that is traced."""
     return x.tracer.call("sqrt", x) if isinstance(x, Node) else float(np.sqrt(x))
+
+
+def atan2(y: Value, x: Value) -> Value:
+    """The angle from x to the point (x, y), rad, of values that are traced; at the origin 0, without a derivative."""
+    if isinstance(y, Node) or isinstance(x, Node):
+        tracer = y.tracer if isinstance(y, Node) else x.tracer  # type: ignore[union-attr]
+        return tracer.call("atan2", y, x)
+    return math.atan2(y, x)
+
+
+def without_turns(x: Value) -> Value:
+    """An angle, rad, from -pi to pi, of a value that is traced."""
+    return (
+        atan2(x.tracer.call("sin", x), x.tracer.call("cos", x)) if isinstance(x, Node) else math.remainder(x, math.tau)
+    )
 
 
 def along_changes(f: Functions, q: Sequence[Value], values: Sequence[Value]) -> Columns:

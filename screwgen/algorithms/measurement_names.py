@@ -13,7 +13,7 @@ from ..errors import UsageError
 from ..topology.chain import Chain
 from ..topology.markers import PlacedMarker
 from .gauges import gauges
-from .measurement import Attitude, Measurement, SensorNumber
+from .measurement import AtMarkers, Attitude, Measurement, SensorNumber
 from .measurements import AT_MARKERS, FURTHER, ROWS, strain_row
 
 _Row = TypeVar("_Row", bound=Measurement)
@@ -39,7 +39,8 @@ def measurement(chain: Chain, said: str) -> Measurement:
 
 def _at_marker(chain: Chain, name: str, place: str) -> Measurement:
     makers: Mapping[str, Callable[[Chain, PlacedMarker], Measurement]]
-    makers = {"strain": _strain_at, **{row.name: partial(_at, row) for row in AT_MARKERS}}
+    rows = (row for row in _rows(chain).values() if isinstance(row.labels, AtMarkers))
+    makers = {"strain": _strain_at, **{row.name: partial(_at, row) for row in rows}}
     by_name = {marker.name: marker for marker in chain.markers}
     marker = by_name[choice(place, by_name, f"{name}@{place}: there is no marker")]
     row = makers[choice(name, makers, "at markers there is no measurement")](chain, marker)
@@ -47,8 +48,16 @@ def _at_marker(chain: Chain, name: str, place: str) -> Measurement:
 
 
 def _of_robot(chain: Chain, name: str) -> Measurement:
-    rows = {row.name: row for row in (*ROWS, *AT_MARKERS, *FURTHER)}
+    rows = _rows(chain)
     return _offered(rows[choice(name, rows, "there is no measurement")], chain, name)
+
+
+def _rows(chain: Chain) -> dict[str, Measurement]:
+    """The rows by name, those that a `Robot` of Python holds behind the product's."""
+    rows = {row.name: row for row in (*ROWS, *AT_MARKERS, *FURTHER)}
+    if twice := [row.name for row in chain.robot.sensors if row.name in rows]:
+        raise UsageError(f"sensors: '{twice[0]}' is a sensor that the product has; take another name")
+    return rows | {row.name: row for row in chain.robot.sensors}
 
 
 def _offered(row: Measurement, chain: Chain, said: str) -> Measurement:
@@ -99,7 +108,8 @@ def _at(row: _Row, chain: Chain, marker: PlacedMarker) -> _Row:
 
     more: dict[str, Any] = {"turning": partial(own, row.turning)} if isinstance(row, Attitude) else {}
     more["numbers"] = tuple(map(share, row.numbers))
-    return replace(row, name=name, value=partial(own, row.value), labels=partial(own, row.labels), **more)
+    value, labels = partial(own, row.value), partial(own, row.labels)
+    return replace(row, name=name, value=value, labels=labels, told=None, **more)
 
 
 def _at_name(name: str, marker: PlacedMarker) -> str:

@@ -1,4 +1,4 @@
-"""The measurements of filters, a row for each sensor. A new one is a row here, and all that filters need of it.
+"""The measurements of filters, a row for each sensor. A new one is a row here, and all that the product needs of it.
 
 It stands in ``ROWS`` if filters know it unless they are told otherwise, in ``AT_MARKERS`` if it sits at markers, else
 in ``FURTHER``.
@@ -14,12 +14,13 @@ from ..topology.chain import Chain
 from ..topology.joint_coordinates import JointPlace
 from . import matrices as mx
 from . import sensors
-from .functions import Functions
+from .functions import CYLINDERS, Functions
 from .gauges import Gauge, curvatures, gauges
+from .input_functions import LENGTHS
 from .marker_functions import ACCELERATING, GIVEN_MOTION, MOVING, PLACED
-from .measurement import Attitude, Labels, Measurement, SensorNumber, root
-from .robot_function import entries
-from .robot_functions import BY_NAME
+from .measurement import AtMarkers, Attitude, Measurement, SensorNumber, Told, every_robot, root
+from .robot_function import OUTPUTS
+from .signals import TWIST
 
 XYZ = ("x", "y", "z")
 
@@ -126,11 +127,6 @@ def strain_row(name: str, found: Callable[[Chain], list[Gauge]], where: str) -> 
 # ------------------------------------------------------------------------------ markers and functions
 
 
-def _labels(parts: Sequence[str]) -> Labels:
-    """The entries of what is measured at all markers, one after the other."""
-    return lambda chain: [f"{m.name}.{part}" for m in chain.markers for part in parts]
-
-
 def _distances(f: Functions, q: Sequence, beacon: Sequence) -> list[Value]:
     """Of every marker from its own point of the inertial frame."""
     apart = [a - b for a, b in zip(f.marker_poses(q)[1], beacon, strict=True)]
@@ -144,7 +140,7 @@ def _points(f: Functions, q: Sequence, lever: Sequence) -> list[Value]:
     return [x for place, turn, own in each for x in place + mx.multiply(turn, own)]
 
 
-AXES = _labels(XYZ)
+AXES, MARKER = AtMarkers(XYZ), "axes of the marker"
 LEVER = SensorNumber(
     "point_position_lever",
     lambda chain: 3 * len(chain.markers),
@@ -157,11 +153,21 @@ BEACON = SensorNumber(
 FELT = "acceleration less that of free fall, in the marker's axes: at rest it points against gravity"
 TURNS = "the marker's quaternion, of either sign; deviations and innovations are turns about its axes"
 AT_MARKERS: tuple[Measurement, ...] = (
-    Measurement("gyro", "q v", sensors.turning, AXES, "rad/s", "angular velocity in the marker's axes", (MOVING,)),
+    Measurement(
+        *("gyro", "q v", sensors.turning, AXES, "rad/s", "angular velocity in the marker's axes", (MOVING,)),
+        told=Told("omega", "angular velocity of every marker", "What gyroscopes at the markers read.", MARKER),
+    ),
     Measurement(
         *("accelerometer", "q v vdot", sensors.felt, AXES, "m/s^2", FELT, (ACCELERATING,)),
         offered=lambda chain: not chain.falls,
         missing="an input that changes free fall, which accelerometers do not feel yet",
+        told=Told(
+            "a",
+            "acceleration of every marker less that of free fall",
+            "What accelerometers at the markers read: at rest gravity, upwards; in free fall nothing.",
+            MARKER,
+            offered=every_robot,
+        ),
     ),
     Measurement(
         "marker_position", "q", lambda f, q: f.marker_poses(q)[1], AXES, "m", "in the inertial frame", (PLACED,)
@@ -180,10 +186,11 @@ AT_MARKERS: tuple[Measurement, ...] = (
         "marker_velocity",
         "q v",
         lambda f, q, v: f.marker_velocities(q, v),
-        _labels([f"{part}_{x}" for part in ("omega", "v") for x in XYZ]),
-        "rad/s, m/s",
+        AtMarkers(tuple(f"{part}_{x}" for part in ("omega", "v") for x in XYZ)),
+        TWIST,
         "angular and linear velocity in the marker's axes",
         (MOVING,),
+        told=Told("twist", "[omega; v] of every marker", "The twists of the markers.", MARKER),
     ),
     Attitude(
         "marker_attitude",
@@ -200,7 +207,7 @@ AT_MARKERS: tuple[Measurement, ...] = (
         "marker_range",
         "q",
         _distances,
-        lambda chain: [m.name for m in chain.markers],
+        AtMarkers(),
         "m",
         "distance from a fixed point of the inertial frame",
         (PLACED,),
@@ -209,13 +216,39 @@ AT_MARKERS: tuple[Measurement, ...] = (
 )
 
 
-def function_row(name: str) -> Measurement:
-    """The measurement of a function of the robot that has one result and needs no dynamics."""
-    row = BY_NAME[name]
-    ((result, signal),) = row.results.items()
-    value = lambda f, **given: row.program.body(f, **given)[result]  # noqa: E731
-    labels = lambda chain: [str(k) for k in range(entries(row, chain))]  # noqa: E731
-    return Measurement(name, row.inputs, value, labels, signal.unit, signal.meaning, row.algorithms, row.offered)
+CYLINDER_LENGTH = Measurement(
+    "cylinder_length",
+    "q",
+    lambda f, q: f.cylinder_lengths(q),
+    lambda chain: [str(k) for k, _ in enumerate(chain.cylinders)],
+    "m",
+    "length of every cylinder",
+    (CYLINDERS,),
+    lambda chain: bool(chain.cylinders),
+    told=Told(
+        "cylinder_length",
+        "length of every cylinder",
+        "The lengths of the cylinders that drive joints, between their eyes, in the order of their joints.",
+        shape=("NCYLINDERS",),
+    ),
+)
+TENDON_LENGTH = Measurement(
+    "tendon_length",
+    "q",
+    lambda f, q: f.tendon_lengths(q),
+    lambda chain: [str(k) for k in range(chain.n_tensions)],
+    "m",
+    "length of every tendon",
+    (LENGTHS,),
+    lambda chain: bool(chain.n_tensions),
+    told=Told(
+        "length",
+        "length of every tendon",
+        "The lengths of the tendons, each the sum of its pieces.",
+        shape=("NTENDONS",),
+        c_file=OUTPUTS,
+    ),
+)
 
 
 # ------------------------------------------------------------------------------ the tables
@@ -232,5 +265,5 @@ ACCELERATION = Measurement(
 STRAIN = strain_row("strain", gauges, "at the base of a link")
 ROWS: tuple[Measurement, ...] = (ENCODER, STRAIN, ACCELERATION, BASE_POSITION, *BASE, *JOINT)
 """What filters know unless they are told otherwise, of robots that have it, in the order of an update's arguments."""
-FURTHER = tuple(function_row(name) for name in ("cylinder_length", "tendon_length"))
+FURTHER: tuple[Measurement, ...] = (CYLINDER_LENGTH, TENDON_LENGTH)
 """What they know where it is asked for, besides what sits at markers."""

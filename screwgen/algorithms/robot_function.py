@@ -15,6 +15,9 @@ from .gauges import strain_names
 from .schedule import Algorithm
 from .signals import Signal
 
+OUTPUTS, SENSORS = "outputs", "sensors"
+"""The files of the C: what runs, rollouts and mock-up units report at every sample, and what only who asks is told."""
+
 
 @dataclass(frozen=True)
 class RobotFunction:
@@ -22,7 +25,8 @@ class RobotFunction:
 
     ``results``: name -> shape, unit, frame and meaning; ``program`` makes it as one program, whose ``body`` runs on
     `Functions`; ``algorithms``: those that the body runs; ``offered``: of which robots there is one; ``c_file``: which
-    file of the C has it, if any, see ``OUTPUTS``; ``about``: a sentence.
+    file of the C has it, if any, see ``OUTPUTS``; ``sensor``: whether a sensor reads it, which mock-up units and linear
+    models have as outputs where they are asked for; ``about``: a sentence.
     """
 
     name: str
@@ -33,6 +37,7 @@ class RobotFunction:
     about: str
     offered: Callable[[Chain], bool] = lambda chain: True
     c_file: str = ""
+    sensor: bool = False
 
     @property
     def names(self) -> list[str]:

@@ -8,23 +8,27 @@ columns of runs and rollouts, variables of mock-up units, docs/functions.md. CON
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from ..bodies.validity import MEASURES
+from ..errors import UsageError
 from ..topology.chain import Chain
 from . import fused, sensors
 from . import robot_programs as programs
 from .force_functions import MOTION
-from .functions import CYLINDERS, ENERGY, FORWARD, HOLD, INVERSE, LEVERS, MEASURING, PLACES
+from .functions import ENERGY, FORWARD, HOLD, INVERSE, LEVERS, MEASURING, PLACES
 from .gauges import strain_names
-from .input_functions import LENGTHS, POWER
+from .input_functions import POWER
 from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
+from .measurements import AT_MARKERS, FURTHER, MARKER
 from .momentum import CENTRED, MOMENTUM
-from .robot_function import RobotFunction
-from .signals import ACCELERATION, INERTIAL, ROBOT, TIP, TWIST, WRENCH, Signal
+from .robot_function import OUTPUTS, SENSORS, RobotFunction
+from .sensor_functions import function_of, own_function
+from .signals import ACCELERATION, INERTIAL, ROBOT, TIP, WRENCH, Signal
 
-OUTPUTS, SENSORS = "outputs", "sensors"
-"""The files of the C: what runs, rollouts and mock-up units report at every sample, and what only who asks is told."""
-SENSED = ("cylinder_length", "marker_pose", "marker_velocity", "gyro", "accelerometer")
-ROTATION, PLACE, MARKER = (3, 3), (3,), "axes of the marker"
+ROTATION, PLACE = (3, 3), (3,)
+_OF_SENSORS = {row.name: function_of(row) for row in (*AT_MARKERS, *FURTHER) if row.told}
+"""The functions that sensors are, by name: the rows of `measurements` state them."""
 
 
 def _pose(turned: str, placed: str, *count: str) -> dict[str, Signal]:
@@ -34,7 +38,7 @@ def _pose(turned: str, placed: str, *count: str) -> dict[str, Signal]:
 
 
 AXES = "N*m, of axes that slide N"
-FUNCTIONS = (
+_LISTED = (
     RobotFunction(
         "forward_dynamics",
         "q v tau w_ext",
@@ -176,26 +180,8 @@ FUNCTIONS = (
         "The travel of each cylinder, or the turn of each crank, per unit of its axis; 1 without a transmission.",
         offered=lambda chain: bool(chain.travels),
     ),
-    RobotFunction(
-        "cylinder_length",
-        "q",
-        {"cylinder_length": Signal(("NCYLINDERS",), "m", "-", "length of every cylinder")},
-        programs.cylinder_length,
-        (CYLINDERS,),
-        "The lengths of the cylinders that drive joints, between their eyes, in the order of their joints.",
-        offered=lambda chain: bool(chain.cylinders),
-        c_file=SENSORS,
-    ),
-    RobotFunction(
-        "tendon_length",
-        "q",
-        {"length": Signal(("NTENDONS",), "m", "-", "length of every tendon")},
-        programs.tendon_length,
-        (LENGTHS,),
-        "The lengths of the tendons, each the sum of its pieces.",
-        offered=lambda chain: bool(chain.n_tensions),
-        c_file=OUTPUTS,
-    ),
+    _OF_SENSORS["cylinder_length"],
+    _OF_SENSORS["tendon_length"],
     RobotFunction(
         "force_quantities",
         "q v (tau)",
@@ -244,16 +230,9 @@ FUNCTIONS = (
         (PLACED,),
         "The poses of the markers.",
         c_file=SENSORS,
+        sensor=True,
     ),
-    RobotFunction(
-        "marker_velocity",
-        "q v",
-        {"twist": Signal(("NMARKERS", 6), TWIST, MARKER, "[omega; v] of every marker")},
-        sensors.marker_velocity,
-        (MOVING,),
-        "The twists of the markers.",
-        c_file=SENSORS,
-    ),
+    _OF_SENSORS["marker_velocity"],
     RobotFunction(
         "marker_jacobian",
         "q",
@@ -272,24 +251,8 @@ FUNCTIONS = (
         "The accelerations of the markers that rates alone cause.",
         c_file=SENSORS,
     ),
-    RobotFunction(
-        "gyro",
-        "q v",
-        {"omega": Signal(("NMARKERS", 3), "rad/s", MARKER, "angular velocity of every marker")},
-        sensors.gyro,
-        (MOVING,),
-        "What gyroscopes at the markers read.",
-        c_file=SENSORS,
-    ),
-    RobotFunction(
-        "accelerometer",
-        "q v tau w_ext",
-        {"a": Signal(("NMARKERS", 3), "m/s^2", MARKER, "acceleration of every marker less that of free fall")},
-        sensors.accelerometer,
-        (FORWARD, ACCELERATING),
-        "What accelerometers at the markers read: at rest gravity, upwards; in free fall nothing.",
-        c_file=SENSORS,
-    ),
+    _OF_SENSORS["gyro"],
+    _OF_SENSORS["accelerometer"],
     RobotFunction(
         "strain",
         "q",
@@ -301,12 +264,24 @@ FUNCTIONS = (
         offered=lambda chain: bool(strain_names(chain)),
     ),
 )
+FUNCTIONS = (*_LISTED, *(row for row in _OF_SENSORS.values() if row not in _LISTED))
 """The functions of a robot; `mass_matrix`, which each back end makes in its own way, is none of them."""
+BY_NAME = {function.name: function for function in FUNCTIONS}
+SENSED = tuple(row.name for row in FUNCTIONS if row.sensor and row.c_file == SENSORS)
+"""What sensors read, and runs and mock-up units report where it is asked for."""
+
+
+def known(chain: Chain) -> Mapping[str, RobotFunction]:
+    """The functions by name, those of the sensors that a `Robot` of Python holds behind the product's."""
+    own = {row.name: own_function(row) for row in chain.robot.sensors if row.told}
+    if twice := own.keys() & BY_NAME.keys():
+        raise UsageError(f"sensors: '{min(twice)}' is a function that the product has; take another name")
+    return BY_NAME | own if own else BY_NAME
 
 
 def offered(chain: Chain) -> tuple[RobotFunction, ...]:
     """The functions that a robot has."""
-    return tuple(function.of(chain) for function in FUNCTIONS if function.offered(chain))
+    return tuple(function.of(chain) for function in known(chain).values() if function.offered(chain))
 
 
 def reported(chain: Chain) -> tuple[RobotFunction, ...]:
@@ -316,12 +291,14 @@ def reported(chain: Chain) -> tuple[RobotFunction, ...]:
 
 def sensed(chain: Chain) -> tuple[RobotFunction, ...]:
     """The functions of sensors that mock-up units report where they are asked for; strains they have anyway."""
-    return tuple(row for row in in_file(SENSORS, chain) if row.name in SENSED)
+    return tuple(row for row in in_file(SENSORS, chain) if row.sensor)
+
+
+def of_sensors(chain: Chain) -> tuple[RobotFunction, ...]:
+    """Those of all sensors, which linear models have as outputs where they are asked for; strains they have anyway."""
+    return tuple(row for row in offered(chain) if row.sensor)
 
 
 def in_file(name: str, chain: Chain) -> tuple[RobotFunction, ...]:
     """The functions that a file of the C has."""
     return tuple(function for function in offered(chain) if function.c_file == name)
-
-
-BY_NAME = {function.name: function for function in FUNCTIONS}

@@ -10,7 +10,6 @@ from ..topology.chain import Chain
 from . import fused
 from .dae_functions import DaeFunctions
 from .functions import HOLD, Functions
-from .input_functions import LENGTHS
 
 
 @fused.program("q")
@@ -115,18 +114,6 @@ def dae_force_rates(chain: Chain) -> Program:
 def free_fall(f: Functions, tau: Sequence) -> fused.Outputs:
     """``(tau) -> (free_fall)``: its acceleration with what inputs add to it."""
     return {"free_fall": f.falling(tau).gravity}
-
-
-@fused.program("q", algorithms=(LENGTHS,))
-def tendon_length(f: Functions, q: Sequence) -> fused.Outputs:
-    """``(q) -> (length)`` of every tendon."""
-    return {"length": f.tendon_lengths(q)}
-
-
-@fused.program("q")
-def cylinder_length(f: Functions, q: Sequence) -> fused.Outputs:
-    """``(q) -> (cylinder_length)`` of every cylinder."""
-    return {"cylinder_length": f.cylinder_lengths(q)}
 
 
 @fused.program("q v (tau)")

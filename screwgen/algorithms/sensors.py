@@ -18,12 +18,6 @@ def marker_pose(f: Functions, q: Sequence) -> Outputs:
     return dict(zip(("R", "position"), f.marker_poses(q), strict=True))
 
 
-@program("q v", algorithms=ALL)
-def marker_velocity(f: Functions, q: Sequence, v: Sequence) -> Outputs:
-    """``(q, v) -> (twist)``."""
-    return {"twist": f.marker_velocities(q, v)}
-
-
 @program("q", algorithms=ALL)
 def marker_jacobian(f: Functions, q: Sequence) -> Outputs:
     """``(q) -> (J)``, row by row."""
@@ -36,22 +30,10 @@ def marker_bias(f: Functions, q: Sequence, v: Sequence) -> Outputs:
     return {"bias": f.marker_biases(q, v)}
 
 
-@program("q v", algorithms=ALL)
-def gyro(f: Functions, q: Sequence, v: Sequence) -> Outputs:
-    """``(q, v) -> (omega)``."""
-    return {"omega": turning(f, q, v)}
-
-
 def turning(f: Functions, q: Sequence, v: Sequence) -> list[Value]:
     """The angular velocities of the markers."""
     twists = f.marker_velocities(q, v)
     return [x for k in range(0, len(twists), 6) for x in twists[k : k + 3]]
-
-
-@program("q v tau w_ext", algorithms=ALL)
-def accelerometer(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> Outputs:
-    """``(q, v, tau, w_ext) -> (a)``: of the motion by forward dynamics."""
-    return {"a": felt(f.falling(tau), q, v, f.forward_dynamics(q, v, tau, w_ext)[0])}
 
 
 def felt(f: Functions, q: Sequence, v: Sequence, vdot: Sequence) -> list[Value]:

@@ -29,6 +29,8 @@ class Signal(NamedTuple):
     meaning: str
     at: str = ""
     """Where a call of the generated C has it, if that is not a member of its name; i is the link, e its first mode."""
+    parts: tuple[str, ...] = ()
+    """The names of the entries along its last axis, if those of its shape are others."""
 
     def size_of(self, key: LinkClass) -> tuple[int, ...]:
         """The shape for a link class."""

@@ -165,7 +165,7 @@ def travels(chain: Chain, q: Numbers, p: Numbers) -> np.ndarray:
     for i, place, travel, given in chain.travel_numbers(np.asarray(p, float).tolist()):
         at = float(q[place])
         try:
-            found, guards = run(relation(travel), {"q": [at], "given": given}, _unary, 2.0**-52)
+            found, guards = run(relation(travel), {"q": [at], "given": given}, _functions, 2.0**-52)
             length = travel.travel(at, *given)
         except (ZeroDivisionError, ValueError):
             guards = [0.0]
@@ -175,8 +175,8 @@ def travels(chain: Chain, q: Numbers, p: Numbers) -> np.ndarray:
     return out
 
 
-def _unary(op: str, x: float) -> float:
-    return -x if op == "neg" else getattr(math, op)(x)
+def _functions(op: str, x: float, *more: float) -> float:
+    return -x if op == "neg" else getattr(math, op)(x, *more)
 
 
 NEWTONS, CLOSE = 20, 1e-14

@@ -5,8 +5,9 @@ An implicit method takes it as the damping ``c / sqrt(w² + s²)`` at the rates 
 step. The derivative of that step needs the slopes of both. A law states the first two, or the first alone; the rest is
 derived, and every back end replays or prints it: :mod:`..algorithms.law_programs`.
 
-A law computes with values of any kind. Of the tracer ``t`` it uses ``t.call(name, x)`` for functions, ``sqrt`` or
-``sin``, or ``on`` (1 where x > 0, else 0), and ``t.named(name, x)``, which names a value in generated code.
+A law computes with values of any kind. Of the tracer ``t`` it uses ``t.call(name, x)`` for functions, ``sqrt``,
+``sin``, ``atan2`` of two, ``on`` (1 where x > 0, else 0), and ``t.named(name, x)``, which names a value in generated
+code.
 """
 
 from __future__ import annotations

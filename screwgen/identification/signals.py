@@ -13,7 +13,7 @@ import numpy as np
 from ..algorithms import fused
 from ..algorithms.functions import PLACES
 from ..algorithms.gauges import gauges
-from ..algorithms.measurement import Attitude, Measurement
+from ..algorithms.measurement import Attitude, CyclicAngle, Measurement
 from ..algorithms.measurement_names import measurement
 from ..arguments import choice
 from ..errors import UsageError, one_line
@@ -64,6 +64,9 @@ def signal(model: RobotModel, column: Column) -> SensorSignal:
     row = measurement(model.chain, found["row"])
     if isinstance(row, Attitude):
         raise UsageError(f"{column.name}: {row.name} is an attitude, which is not compared yet; leave the column out")
+    if isinstance(row, CyclicAngle):
+        what = "begins again after a whole turn, which is not compared yet"
+        raise UsageError(f"{column.name}: {row.name} {what}; leave the column out")
     size, entry = row.size(model.chain), found["entry"]
     if entry is None and size > 1:
         raise UsageError(f"{column.name}: {said} has {size} entries; name one, as {said}[0]")
@@ -124,9 +127,8 @@ class Signals:
             if callable(number.start):
                 given[number.keyword] = list(number.start(self.model.chain, list(p.T[..., None])))
             else:
-                given[number.keyword] = list(
-                    np.broadcast_to(one.column.numbers.get(number.keyword, number.start), size)
-                )
+                own = one.column.numbers.get(number.keyword, number.starts(self.model.chain))
+                given[number.keyword] = list(np.broadcast_to(own, size))
         return [np.broadcast_to(x, state["q"].shape[:2]) for x in _replayed(program, given)["value"]]
 
     def _traced(self, row: Measurement | None) -> Program:
@@ -146,7 +148,7 @@ class Signals:
 
 def _replayed(program: Program, given: Mapping[str, list[Any]]) -> dict[str, list[np.ndarray]]:
     with np.errstate(all="ignore"):  # lanes of trials may have left all bounds
-        return run(program, {name: given[name] for name in program.inputs}, lambda op, x: ARRAYS[op](x))[0]
+        return run(program, {name: given[name] for name in program.inputs}, lambda op, *x: ARRAYS[op](*x))[0]
 
 
 def of_run(model: RobotModel, head: Sequence[str], log: str) -> Columns:

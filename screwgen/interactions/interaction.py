@@ -188,8 +188,8 @@ class Interaction:
 
         ``keys``: the numbers and choices, the inputs that are added to no number, the states; what is not stated is 0.
         Of the tracer ``t`` it uses ``t.call(name, x)`` for functions, and ``t.named(name, x)``, which names a value in
-        generated code. Functions are ``sqrt``, ``sin``, ``cos`` and ``on``, which is 1 where x > 0, else 0; all of them
-        stand in :data:`..ir.program.FUNCTIONS`. A root of what may vanish needs a small number below it.
+        generated code. Functions are ``sqrt``, ``sin``, ``cos``, ``atan2`` and ``on``, 1 where x > 0, else 0; all stand
+        in :data:`..ir.program.FUNCTIONS`. A root of what may vanish needs a small number below it.
         """
         raise NotImplementedError
 

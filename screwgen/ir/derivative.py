@@ -66,6 +66,9 @@ def _shares(node: Node, weight: Value) -> list[tuple[Value, Value]]:
         return [(a, weight), (b, weight if node.op == "add" else -weight)]
     if node.op == "mul":
         return [(x, weight * y) for x, y in ((a, b), (b, a)) if isinstance(x, Node)]
+    if node.op == "atan2":
+        share = weight / (a * a + b * b)
+        return [(a, share * b), (b, -(share * a))]
     quotient = weight / b
     return [(a, quotient), (b, -(quotient * node))]
 
@@ -94,7 +97,9 @@ def _slope(node: Node, slopes: Slopes) -> Value:
         return da - db
     if node.op == "mul":
         return 2.0 * a * da if a is b else da * b + a * db
-    return 0.0 if _zero(da) and _zero(db) else (da - node * db) / b
+    if _zero(da) and _zero(db):
+        return 0.0
+    return (b * da - a * db) / (a * a + b * b) if node.op == "atan2" else (da - node * db) / b
 
 
 def _unary(node: Node, a: Node, da: Value) -> Value:

@@ -111,6 +111,9 @@ def recipe(e: sp.Expr) -> Recipe:
     if isinstance(e, sp.sin | sp.cos):
         function, angle = type(e).__name__, recipe(e.args[0])
         return lambda known, tracer: tracer.call(function, angle(known, tracer))
+    if isinstance(e, sp.atan2):
+        y, x = map(recipe, e.args)
+        return lambda known, tracer: tracer.call("atan2", y(known, tracer), x(known, tracer))
     raise TypeError(f"cannot lower {e}")
 
 

@@ -22,10 +22,10 @@ from .names import Label, OperationGroup
 
 Array = np.ndarray
 
-FUNCTIONS = frozenset({"sqrt", "sin", "cos", "exp", "on", "c4", "c5", "c6", "c7", "c8", "c9"})
-"""Unary primitives; ``c4`` and ``c5`` are the Stumpff functions from which the others follow (c6 to c9: slopes).
+FUNCTIONS = frozenset({"sqrt", "sin", "cos", "exp", "on", "atan2", "c4", "c5", "c6", "c7", "c8", "c9"})
+"""Primitives; ``c4`` and ``c5`` are the Stumpff functions from which the others follow (c6 to c9: slopes).
 
-``on`` is 1 where its argument is > 0, else 0.
+``on`` is 1 where its argument is > 0, else 0; ``atan2(y, x)``, of two, is 0 at the origin, without a slope there.
 """
 
 
@@ -239,16 +239,17 @@ class Tracer:
             return -a if a else 0.0
         return a.args[0] if a.op == "neg" else self._node("neg", a)
 
-    def call(self, function: str, a: Any) -> Value:
-        """A unary primitive."""
-        if not isinstance(a, Node) and function in ("sin", "cos", "sqrt", "exp"):
-            return float(getattr(mpmath, function)(a))  # the same on every machine
-        if not isinstance(a, Node) and function == "on":
+    def call(self, function: str, a: Any, *more: Any) -> Value:
+        """A primitive of its arguments."""
+        known = not any(isinstance(x, Node) for x in (a, *more))
+        if known and function in ("sin", "cos", "sqrt", "exp", "atan2"):
+            return float(getattr(mpmath, function)(a, *more))  # the same on every machine
+        if known and function == "on":
             return float(a > 0)
         if _negated(a) and function in ("sin", "cos"):
             inner = self.call(function, a.args[0])
             return inner if function == "cos" else self.neg(inner)
-        return self._node(function, a)
+        return self._node(function, a, *more)
 
 
 def _without_inverse(product: Node, d: Value) -> Value | None:

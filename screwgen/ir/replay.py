@@ -15,14 +15,14 @@ BINARY: dict[str, Callable] = {"add": operator.add, "sub": operator.sub, "mul": 
 def run(
     program: Program,
     inputs: Mapping[str, list],
-    unary: Callable[[str, Any], Any],
+    functions: Callable[..., Any],
     epsilon: float = 0.0,
     literal: Callable[[float], Any] = lambda x: x,
     binary: Mapping[str, Callable] = BINARY,
 ) -> tuple[dict[str, list], list]:
     """Evaluate a program on values of any algebra: floats, mpmath numbers, casadi.SX, nodes of a tracer.
 
-    ``unary(op, value)`` evaluates ``neg`` and the ``FUNCTIONS``, ``binary`` has the other operations by name;
+    ``functions(op, *values)`` evaluates ``neg`` and the ``FUNCTIONS``, ``binary`` has the other operations by name;
     ``literal`` makes a value of a number that stands in the program.  Returns the outputs and the values of the guards.
     """
     values: dict[int, object] = {}
@@ -36,7 +36,7 @@ def run(
         elif op == "input":
             values[node.id] = inputs[args[0]][args[1]]
         else:
-            values[node.id] = epsilon if op == "epsilon" else unary(op, pick(args[0]))
+            values[node.id] = epsilon if op == "epsilon" else functions(op, *map(pick, args))
     return {n: [pick(v) for v in entries] for n, entries in program.outputs.items()}, [pick(g) for g in program.guards]
 
 
@@ -65,7 +65,7 @@ def inline(
         elif op == "input":
             value = inputs[args[0]][args[1]]
         else:
-            value = tracer.epsilon() if op == "epsilon" else _unary(op, pick(args[0]), tracer)
+            value = tracer.epsilon() if op == "epsilon" else _function(op, tracer, *map(pick, args))
         values[node.id] = value
         if (label := node.label) is not None and type(value) is Node:
             given = Label(label.quantity, label.place, link, label.negative) if link and link != label.link else label
@@ -76,8 +76,8 @@ def inline(
     return {name: [pick(v) for v in entries] for name, entries in program.outputs.items()}
 
 
-def _unary(op: str, value: Value, tracer: Tracer) -> Value:
-    return tracer.neg(value) if op == "neg" else tracer.call(op, value)
+def _function(op: str, tracer: Tracer, a: Value, *more: Value) -> Value:
+    return tracer.neg(a) if op == "neg" else tracer.call(op, a, *more)
 
 
 def bind(program: Program, known: Mapping[str, Sequence[float | None]]) -> Program:

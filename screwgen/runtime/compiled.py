@@ -11,7 +11,7 @@ import numpy as np
 
 from ..algorithms.dae_functions import state_size, unknown_size
 from ..algorithms.robot_function import RobotFunction, entries, results
-from ..algorithms.robot_functions import BY_NAME, SENSORS
+from ..algorithms.robot_functions import SENSORS, known
 from ..arguments import Given, Loads, Numbers, array, choice, parameters_keyword, seconds, whole
 from ..errors import ScrewgenError
 from ..integrators.method import Method
@@ -162,7 +162,7 @@ class Compiled(CompiledDerivatives):
 
     def __getattr__(self, name: str) -> Callable:
         """What the C reports, by name: :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`."""
-        row = BY_NAME.get(name)
+        row = known(self.chain).get(name) if "chain" in self.__dict__ else None
         if row is None or not row.c_file:
             return super().__getattr__(name)
         return partial(self._report, row)

@@ -54,7 +54,8 @@ class Noise:
     patience: int = PATIENCE
     doubt: float = 0.0
     sensors: Mapping[str, Any] = field(default_factory=dict)
-    """Deviations of measurements and numbers of sensors, by name; what is not stated is zero, scales are one."""
+    """Deviations of measurements and numbers of sensors, by name; what is not stated is as their rows say, mostly zero,
+    and scales are one."""
 
     def __init__(
         self,
@@ -127,7 +128,7 @@ def of_rates(chain: Chain, values: Any, name: str) -> np.ndarray:
 
 def deviations(chain: Chain, row: Measurement, noise: Noise) -> np.ndarray:
     """The standard deviation of every entry of a measurement."""
-    return spread(noise.sensors.get(row.name, 0.0), row.name, row.size(chain))
+    return spread(noise.sensors.get(row.name, row.noise), row.name, row.size(chain))
 
 
 def numbers(chain: Chain, row: Measurement, noise: Noise) -> dict[str, np.ndarray]:
@@ -136,7 +137,7 @@ def numbers(chain: Chain, row: Measurement, noise: Noise) -> dict[str, np.ndarra
     for number in row.numbers:
         if callable(number.start):
             continue
-        size, given = number.size(chain), real_numbers(noise.sensors.get(number.name, number.start))
+        size, given = number.size(chain), real_numbers(noise.sensors.get(number.name, number.starts(chain)))
         if given is None or given.shape not in ((), (1,), (size,)) or not np.isfinite(given).all():
             raise UsageError(f"{number.name}: must be a finite number, or {size} of them")
         out[number.name] = np.broadcast_to(given, size)

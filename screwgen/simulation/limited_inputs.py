@@ -24,7 +24,7 @@ def held(model: RobotModel, q: np.ndarray, v: np.ndarray, tau: np.ndarray, p: np
         return tau
     program = model.once("held inputs", lambda: held_inputs(model.chain))
     given = {"q": q, "v": v, "tau": tau, "p": p}
-    found, _ = run(program, {name: list(np.moveaxis(x, -1, 0)) for name, x in given.items()}, _unary)
+    found, _ = run(program, {name: list(np.moveaxis(x, -1, 0)) for name, x in given.items()}, _functions)
     return np.stack(np.broadcast_arrays(*found["held"]), axis=-1)
 
 
@@ -36,10 +36,10 @@ def warn_at_rest(model: RobotModel, q: np.ndarray, tau: np.ndarray, p: np.ndarra
         warnings.warn(f"{what}; state a stronger drive, or rest elsewhere", LimitWarning, stacklevel=stacklevel + 1)
 
 
-def _unary(op: str, x: np.ndarray) -> np.ndarray:
-    """The unary primitives on arrays; Stumpff's functions, which exact rods need, entry by entry."""
+def _functions(op: str, x: np.ndarray, *more: np.ndarray) -> np.ndarray:
+    """The primitives on arrays; Stumpff's functions, which exact rods need, entry by entry."""
     series = {"c4": c4, "c5": c5}
-    return np.vectorize(series[op], otypes=[float])(x) if op in series else on_arrays(op, x)
+    return np.vectorize(series[op], otypes=[float])(x) if op in series else on_arrays(op, x, *more)
 
 
 def _at_rest(model: RobotModel, q: np.ndarray, tau: np.ndarray, p: np.ndarray) -> np.ndarray:
@@ -48,7 +48,7 @@ def _at_rest(model: RobotModel, q: np.ndarray, tau: np.ndarray, p: np.ndarray) -
     if chain.n_held_states:
         program, count = model.once("force rates", lambda: force_rates(chain)), chain.n_force_states
         given = {"q": list(q), "v": list(v), "tau": list(tau), "h": [0.0], "p": list(p)}
-        rates = (run(program, given | {"start": [z] * count}, _unary)[0]["rate"] for z in (0.0, 1.0))
+        rates = (run(program, given | {"start": [z] * count}, _functions)[0]["rate"] for z in (0.0, 1.0))
         gain, less = (np.array(x, float) for x in rates)
         v[chain.force_states] = np.divide(gain, gain - less, out=np.zeros(count), where=gain > less)
         v[chain.force_states.start : chain.held_states.start] = 0.0

@@ -7,12 +7,17 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ..algorithms.robot_function import is_matrix, shape
-from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, SENSORS
+from ..algorithms.robot_functions import BY_NAME, SENSORS, known
 from ..robot_model import RobotModel
+from ..spec.robot import Robot
 
-MEASURED = tuple(row.name for row in FUNCTIONS if row.c_file == SENSORS)
-"""The names of the functions."""
 STRAIN = "strain"
+
+
+def is_measured(name: str, robot: Robot | None = None) -> bool:
+    """Whether a function is what a sensor measures, the product's or one that the robot holds."""
+    own = robot.sensors if robot is not None else ()
+    return BY_NAME[name].c_file == SENSORS if name in BY_NAME else any(x.name == name and x.told for x in own)
 
 
 def measured(
@@ -24,7 +29,7 @@ def measured(
     """
     if name == STRAIN:
         return strain(model, samples["q"], p)
-    row, count = BY_NAME[name], len(samples["q"])
+    row, count = known(model.chain)[name], len(samples["q"])
     given = [samples[x].reshape(-1, samples[x].shape[-1]).T for x in row.names]
     found = model.casadi()[name].map(count).call([*given, np.tile(p, (count, 1)).T])
     sizes = [(1,) * is_matrix(signal) + shape(signal, model.chain) for signal in row.results.values()]

@@ -23,7 +23,7 @@ from ..topology.coordinates import SLACK
 from . import collocated
 from .chunks import How, in_chunks, merged
 from .compiled_runs import added
-from .measured import MEASURED
+from .measured import is_measured
 from .rollout_loops import opened
 from .rollout_samples import Source
 from .rollout_validity import warn_refused, watched
@@ -85,14 +85,13 @@ class Rollout:
 
     def __getattr__(self, name: str) -> np.ndarray:
         """What follows from the motions, by name: computed when it is first asked for, in double precision."""
-        if name not in COMPUTED + MEASURED or name in self.__dict__:
+        robot = self.source.model.robot if self.source else None
+        if name in self.__dict__ or not (name in COMPUTED or is_measured(name, robot)):
             raise AttributeError(f"'Rollout' has no attribute '{name}'", name=name, obj=self)
-        if name in MEASURED:
-            self.__dict__[name] = self._source.measured(name, self.q, self.v)
-        else:
-            quick = self._source.at_states(name, self.q, self.v) if name in self._source.shapes else None
-            self.__dict__[name] = self._samples[name] if quick is None else quick
-        return self.__dict__[name]
+        if name not in COMPUTED:
+            return self.__dict__.setdefault(name, self._source.measured(name, self.q, self.v))
+        quick = self._source.at_states(name, self.q, self.v) if name in self._source.shapes else None
+        return self.__dict__.setdefault(name, self._samples[name] if quick is None else quick)
 
     @cached_property
     def tau(self) -> np.ndarray:

@@ -19,7 +19,14 @@ BLOCK = 1 << 14
 STRIDE = 64
 """How far apart the samples are that are looked at first."""
 ARRAYS: dict[str, Callable] = {name: np.vectorize(function, otypes=[float]) for name, function in NAMESPACE.items()}
-ARRAYS |= {"sin": np.sin, "cos": np.cos, "sqrt": np.sqrt, "neg": np.negative, "on": lambda x: (x > 0) * 1.0}
+ARRAYS |= {
+    "sin": np.sin,
+    "cos": np.cos,
+    "sqrt": np.sqrt,
+    "atan2": np.arctan2,
+    "neg": np.negative,
+    "on": lambda x: (x > 0) * 1.0,
+}
 
 
 def opened(model: RobotModel, parameters: np.ndarray, q: np.ndarray) -> np.ndarray:
@@ -51,7 +58,7 @@ def _open(model: RobotModel, parameters: np.ndarray, q: np.ndarray, most: np.nda
         p = parameters[part] if len(parameters) > 1 else parameters
         with np.errstate(invalid="ignore", over="ignore"):  # a scenario that stopped may hold an infinite state
             given = {"q": list(np.moveaxis(q[part].astype(float), 2, 0)), "p": list(p.T[..., None])}
-            found = run(program, given, lambda op, x: ARRAYS[op](x))[0]["openings"]
+            found = run(program, given, lambda op, *x: ARRAYS[op](*x))[0]["openings"]
             apart = np.stack([np.broadcast_to(x, q[part].shape[:2]) for x in found]).astype(float)
         apart = np.sqrt(apart).reshape(-1, 2, *q[part].shape[:2])
         out[part] = (apart > most[:, None, None]).any(axis=(0, 1))

@@ -24,7 +24,7 @@ from ..spec.load import dump, one_line
 from ..spec.tendons import TENSIONS
 from ..unfinished import claimed, part_of, remove_parts
 from .hits import Hit
-from .measured import MEASURED, measured
+from .measured import is_measured, measured
 from .validity import Validity
 
 if TYPE_CHECKING:
@@ -50,8 +50,8 @@ class Run:
     belong to the columns. What functions of the robot report at every sample are attributes by the names of these, see
     docs/functions.md, as `energy` (N, 2), J: kinetic, potential, and `drive_power` (N, n_tau), W.
 
-    Computed when first asked for: `accelerometer` (N, m, 3), m/s², `gyro` (N, m, 3), rad/s, and the others of
-    `MEASURED`, at the markers in the order of `model.marker_names`; `strain` (N, strains), as `model.strain_names`.
+    Computed when first asked for: `accelerometer` (N, m, 3), m/s², `gyro` (N, m, 3), rad/s, and the others that
+    sensors read, at the markers in the order of `model.marker_names`; `strain` (N, strains), as `model.strain_names`.
     """
 
     name: str
@@ -90,7 +90,7 @@ class Run:
         samples, computed when it is first asked for."""
         if name in REPORTED:
             return self.told.get(name)
-        if name not in MEASURED:
+        if not is_measured(name, self.__dict__.get("robot")):
             raise AttributeError(f"'Run' has no attribute '{name}'", name=name, obj=self)
         if self.robot is None:
             raise UsageError(f"this run does not know its robot, so there is no {name}; take one of simulate")

@@ -147,6 +147,8 @@ def dump(robot: Robot) -> str:
         raise UsageError(f"couplings[{related[0]}]: relation is an object made in Python; a robot file cannot state it")
     if robot.inputs:
         raise UsageError("inputs are objects made in Python; a robot file cannot state them")
+    if robot.sensors:
+        raise UsageError("sensors are objects made in Python; a robot file cannot state them")
     stated = robot.model_dump(exclude_none=True, exclude_defaults=True, by_alias=True)
     tables = [(key, table) for key in TABLES for table in stated.pop(key, ())]
     return "\n".join([assignments(stated), *(f"[[{key}]]\n{assignments(table)}" for key, table in tables)])

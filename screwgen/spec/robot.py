@@ -29,6 +29,7 @@ from .profile import profiled
 from .reduced import link_body, of_link, refuse_axes, refuse_rod
 from .rest import AnyRest, refuse_rest
 from .segments import distinct_names
+from .sensor import sensors_in_python
 from .stated import Stated, stated_numbers
 from .stations import AnySection
 from .tendons import Tendon, refuse_tendons
@@ -229,6 +230,9 @@ class Robot(Part):
     )
     inputs: Annotated[tuple[Any, ...], PlainValidator(made_in_python)] = Field(
         (), description="in Python: further kinds of input", exclude=True
+    )
+    sensors: Annotated[tuple[Any, ...], PlainValidator(sensors_in_python)] = Field(
+        (), description="in Python: further sensors", exclude=True
     )
     forces: tuple[Force, ...] = Field(
         (), description="forces between two markers, or a marker and the world, [[forces]] tables"

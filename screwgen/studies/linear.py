@@ -9,8 +9,11 @@ from typing import Any
 import numpy as np
 
 from .. import notebook
+from ..algorithms.entry_names import entry_units, names_in
 from ..algorithms.gauges import base_strains, strain_names
 from ..algorithms.linear_model import OUTPUTS as OUTPUT_PARTS
+from ..algorithms.linear_model import SENSED
+from ..algorithms.robot_functions import of_sensors
 from ..arguments import Given, Loads, Numbers, array, choice, nearest
 from ..backends.numpy.numeric import Numeric
 from ..errors import UnknownNameError, UsageError
@@ -171,14 +174,17 @@ def linearise(
         checked(tau, "tau", chain.n_tau),
     )
     w_ext = chain.tip_wrenches(w_ext, "w_ext:")
-    givers, takers = input_groups(chain), output_groups(chain)
-    columns, rows = chosen(inputs, givers, "inputs"), chosen(outputs, takers, "outputs")
+    givers, takers, sensors = input_groups(chain), output_groups(chain), sensor_groups(chain)
+    columns, rows = chosen(inputs, givers, "inputs"), chosen(outputs, takers, "outputs", sensors)
+    read = [name for name, group in sensors.items() if not group.keys().isdisjoint(rows)]
+    takers |= {name: sensors[name] for name in read}
+    places = {name: k for k, name in enumerate(entries(takers))}
     own, T = with_internal_states(chain, *motions(model, q, v, numbers.p))
     check_definite(model, q, numbers.p)
     numbers.forward_dynamics(q, v, tau, w_ext)  # names the joint where the posture is singular
-    vdot, y, vdot_x, y_x = _changes(model, q, v, tau, w_ext.T, numbers.p)
+    vdot, y, vdot_x, y_x = _changes(model, read, q, v, tau, w_ext.T, numbers.p)
     (vdot_x, vdot_u), (y_x, y_u) = (np.split(slopes, [chain.nv + chain.nvz], axis=1) for slopes in (vdot_x, y_x))
-    i, j = list(rows.values()), list(columns.values())
+    i, j = [places[name] for name in rows], list(columns.values())
     states = state_names(chain)
     turned = np.hstack([chain.carried(v), np.eye(chain.nv, chain.nvz)])
     A = np.vstack([turned, vdot_x])[own] @ T
@@ -203,15 +209,21 @@ def linearise(
     )
 
 
-def _changes(model: RobotModel, *point: Numbers) -> tuple[np.ndarray, ...]:
-    """vdot (nvz,), y, and the derivatives of both with [δ; v; tau; w_ext], at `(q, v, tau, w_ext, p)`."""
+def _changes(model: RobotModel, sensors: Sequence[str], *point: Numbers) -> tuple[np.ndarray, ...]:
+    """vdot (nvz,), y, and the derivatives of both with [δ; v; tau; w_ext], at `(q, v, tau, w_ext, p)`.
+
+    y ends with what ``sensors`` read.
+    """
     from ..backends.casadi.linear import linear_model
 
-    function = model.once("linear_model", lambda: linear_model(model.chain))
+    read = [row for row in of_sensors(model.chain) if row.name in sensors]
+    key = ("linear_model", *sensors) if sensors else "linear_model"
+    function = model.once(key, lambda: linear_model(model.chain, read))
     sizes = [model.nv, *(np.size(x) for x in point[1:-1])]
     directions = np.split(np.eye(sum(sizes)), np.cumsum(sizes)[:-1])
     found = dict(zip(function.name_out(), map(np.array, function(*point, *directions)), strict=True))
-    y, slopes = (np.vstack([found[name + end] for name in OUTPUT_PARTS]) for end in ("", "_along"))
+    parts = (*OUTPUT_PARTS, *(SENSED + row.name for row in read))
+    y, slopes = (np.vstack([found[name + end] for name in parts]) for end in ("", "_along"))
     return found["vdot"][:, 0], y[:, 0] + 0.0, found["vdot_along"] + 0.0, slopes + 0.0
 
 
@@ -282,6 +294,14 @@ def output_groups(chain: Chain) -> Groups:
     return {**named, **tip, "wrenches": wrenches, "base_strain": at_bases, "strain": gauged}
 
 
+def sensor_groups(chain: Chain) -> Groups:
+    """What sensors read, by the names of their functions: outputs of who asks for them, behind all others."""
+    own = {row.name: dict(zip(names_in(row, chain), entry_units(row, chain), strict=True)) for row in of_sensors(chain)}
+    if twice := own.keys() & output_groups(chain).keys():
+        raise UsageError(f"sensors: '{min(twice)}' is a group of outputs of linear models; take another name")
+    return own
+
+
 def entries(groups: Groups) -> dict[str, str]:
     """All entries with their units; one that is in two groups has the first one's place."""
     return {name: unit for group in groups.values() for name, unit in group.items()}
@@ -291,16 +311,29 @@ SYMBOLS = {"tau": "torques", "w_ext": "wrenches_on_tips"}
 """Groups by the names that functions have for them."""
 
 
-def chosen(given: Sequence[str] | str, groups: Groups, what: str) -> dict[str, int]:
-    """The entries that names of groups or of entries choose, in their order, each with its place."""
-    places = {name: k for k, name in enumerate(entries(groups))}
+def chosen(given: Sequence[str] | str, groups: Groups, what: str, further: Groups | None = None) -> dict[str, int]:
+    """The entries that names of groups or of entries choose, in their order, each with its place.
+
+    ``further`` groups stand behind the others; a name means one of theirs where it means none of the others.
+    """
+    places = {name: k for k, name in enumerate(entries(groups | (further or {})))}
     out: list[str] = []
     for name in [given] if isinstance(given, str) else given:
-        out += _members(str(name), groups, list(places), what)
+        out += _members(str(name), groups, further or {}, what)
     return {name: places[name] for name in out}
 
 
-def _members(name: str, groups: Groups, names: Sequence[str], what: str) -> list[str]:
+def _members(name: str, groups: Groups, further: Groups, what: str) -> list[str]:
+    """The entries that a name stands for in the first of both that has any."""
+    for known in (groups, further):
+        if found := _own_members(name, known, list(entries(known))):
+            return found
+    names, every = [*entries(groups), *entries(further)], [*groups, *further]
+    hint = nearest(name, [*every, *names]) or f"or entries of them, such as '{names[0]}'"
+    raise UnknownNameError(f"{what}: there is no '{one_line(name)}'; choose of {', '.join(every)}; {hint}")
+
+
+def _own_members(name: str, groups: Groups, names: Sequence[str]) -> list[str]:
     """The entries that a name stands for: a group's, its own, or all below it; `forearm.tau` are the torques there."""
     if (group := SYMBOLS.get(name, name)) in groups:
         return list(groups[group])
@@ -309,10 +342,7 @@ def _members(name: str, groups: Groups, names: Sequence[str], what: str) -> list
     link, dot, rest = name.partition(".")
     torque = rest == "tau" or rest.startswith("tau[")
     whole = [f"{link}{dot}{kind}{rest[3:]}" for kind in ("torque", "force")] if torque else [name]
-    if found := [x for x in names if x in whole or x.startswith(tuple(w + c for w in whole for c in ".["))]:
-        return found
-    hint = nearest(name, [*groups, *names]) or f"or entries of them, such as '{names[0]}'"
-    raise UnknownNameError(f"{what}: there is no '{one_line(name)}'; choose of {', '.join(groups)}; {hint}")
+    return [x for x in names if x in whole or x.startswith(tuple(w + c for w in whole for c in ".["))]
 
 
 def checked(values: Any, name: str, size: int) -> np.ndarray:

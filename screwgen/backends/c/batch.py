@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...algorithms import fused
 from ...algorithms.robot_programs import force_rates
-from ...ir.program import Node, Program
+from ...ir.program import Node, Program, Value
 from ...ir.split import KEPT
 from ...topology.chain import Chain
 from .code import ATOM, Place, Writer, entries
@@ -25,6 +25,10 @@ class FunctionOfLanes(Writer):
     """A program over lanes as a function of its own."""
 
     paired, prefix = False, "$_lanes"
+
+    def _argument(self, value: Value) -> str:
+        text = super()._argument(value)
+        return text if isinstance(value, Node) else f"$_lanes_all({text})"
 
 
 class LaneWriter(FunctionOfLanes):

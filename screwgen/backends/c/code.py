@@ -31,7 +31,7 @@ WIDTH = 96
 KEYWORDS = frozenset(
     "auto break case char const continue default do double else enum extern float for goto if inline int long "
     "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while "
-    "sin cos sqrt exp y0 y1 yn j0 j1 jn gamma real REAL NULL k".split()  # k counts in loops
+    "sin cos sqrt exp atan2 y0 y1 yn j0 j1 jn gamma real REAL NULL k".split()  # k counts in loops
 )
 
 
@@ -238,7 +238,11 @@ class Writer:
         if node.op == "neg":
             inner = self._operand(node.args[0], 3)
             return f"-({inner})" if inner.startswith("-") else f"-{inner}", 3
-        return f"{self.prefix}_{node.op}({self._operand(node.args[0], 0)})", ATOM
+        return f"{self.prefix}_{node.op}({', '.join(map(self._argument, node.args))})", ATOM
+
+    def _argument(self, value: Value) -> str:
+        """What a function is called with."""
+        return self._operand(value, 0)
 
     def _binary(self, node: Node) -> tuple[str, int]:
         own = PRECEDENCE[node.op]

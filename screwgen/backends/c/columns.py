@@ -29,7 +29,16 @@ def written(text: str, name: str) -> str:
     """C source with the robot's prefix, in limited columns; UsageError where that makes a name twice."""
     if twice := _twice(text, name):
         raise UsageError(f"robot '{name}': the generated C has '{twice}' for something else; choose another name")
-    return folded(text.replace("$$_", f"{name.upper()}_").replace("$_", f"{name}_"))
+    return folded(_with_angles(text).replace("$$_", f"{name.upper()}_").replace("$_", f"{name}_"))
+
+
+def _with_angles(text: str) -> str:
+    """C source with what it calls for angles of points; only sources that call it have it, after their includes."""
+    lanes, first = "$_lanes_atan2(" in text, re.search(r"\$_(lanes_)?atan2\(", text)
+    if first is None:
+        return text
+    at = text.index("\n", text.rindex("\n#include ", 0, first.start()) + 1)
+    return f"{text[: at + 1]}\n{render('c/angles.jinja', lanes=lanes)}{text[at + 1 :]}"
 
 
 def _twice(text: str, name: str) -> str | None:

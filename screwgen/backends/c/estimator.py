@@ -43,9 +43,11 @@ def content(chain: Chain, rows: Sequence[Measurement], baked: bool, place: Place
     say_time(chain, "measurements", sum(program.operation_count for program in programs))
     routines = Routines(programs)
     measured = [_row(row, chain, found.get(row.name), routines, place) for row in rows]
+    numbers = [_number(number, chain, baked, states > 0) for row in rows for number in row.numbers]
     return {
         "rows": measured,
-        "numbers": [_number(number, chain, baked, states > 0) for row in rows for number in row.numbers],
+        "numbers": numbers,
+        "begun": any(row["noise"] for row in measured) or any(number["said"] for number in numbers),
         "states": parameter_states.content(chain, by_p) if states else None,
         "closed": bool(chain.closing.rows),
         "routines": routines.functions,
@@ -94,6 +96,8 @@ def _row(row: Measurement, chain: Chain, found: Comparison | None, routines: Rou
         "labels": row.labels(chain),
         "spans": found.spans if found else [],
         "accelerates": found is not None and "by_vdot" in found.program.outputs,
+        "noise": literal(row.noise**2) if row.noise and n else "",
+        "said": f"{row.noise**2:.6g}",
         "not_zero": [number.name for number in row.numbers if number.zero],
         "gate": f"(e->{row.name}_gate > 0 ? e->{row.name}_gate : e->gate)" if row.gated else "e->gate",
     }
@@ -103,11 +107,13 @@ def _number(number: SensorNumber, chain: Chain, baked: bool, again: bool) -> dic
     """Numbers of a sensor, and the lines that set what they start at; ``again``: what is derived has a function."""
     size, to = number.size(chain), entries(f"e->{number.name}")
     lines, own = _derived(number, chain, baked, f"e->{number.name}") if callable(number.start) else [], []
+    said = ""
     if lines and again:
         lines, own = [f"set_{number.name}(p, e->{number.name});"], _derived(number, chain, baked, number.name)
     if number.start and not callable(number.start):
-        lines = [f"{to(k)} = {literal(number.start)};" for k in range(size)]
-    made = {"lines": lines, "derived": callable(number.start), "function": own}
+        lines = [f"{to(k)} = {literal(x)};" for k, x in enumerate(number.starts(chain))]
+        said = "" if number.start == 1.0 else ", ".join(f"{x:.6g}" for x in number.own_starts)
+    made = {"lines": lines, "derived": callable(number.start), "function": own, "said": said}
     return {"name": number.name, "about": number.about, "size": size, **made}
 
 

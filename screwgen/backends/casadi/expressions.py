@@ -23,19 +23,19 @@ BINARY = {
 def expressions(program: Program, given: Mapping[str, ca.SX]) -> dict[str, ca.SX]:
     """The outputs of a program as columns of SX."""
     inputs = {name: ca.vertsplit(ca.vec(given[name])) if size else [] for name, size in program.inputs.items()}
-    outputs, _ = run(program, inputs, unary, literal=cache(ca.SX), binary=BINARY)
+    outputs, _ = run(program, inputs, functions, literal=cache(ca.SX), binary=BINARY)
     return {name: ca.vertcat(ca.SX(0, 1), *values) for name, values in outputs.items()}
 
 
-def unary(op: str, x: ca.SX) -> ca.SX:
-    """The unary primitives in SX."""
+def functions(op: str, x: ca.SX, *more: ca.SX) -> ca.SX:
+    """The primitives in SX."""
     if op == "neg":
         return -x
     if op == "on":
         return x > 0
     if op[0] == "c" and op[1:].isdigit():
         return _stumpff(int(op[1]), x)
-    return getattr(ca, op)(x)
+    return getattr(ca, op)(x, *more)
 
 
 def _stumpff(order: int, x: ca.SX) -> ca.SX:

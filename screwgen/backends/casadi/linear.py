@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import casadi as ca
 
 from ...algorithms import linear_model as programs
-from ...algorithms.robot_programs import tendon_length
+from ...algorithms.robot_function import RobotFunction
+from ...algorithms.robot_functions import BY_NAME
 from ...topology.chain import Chain
 from .expressions import expressions
 from .functions import function, symbols
 
 
-def linear_model(chain: Chain) -> ca.Function:
+def linear_model(chain: Chain, sensors: Sequence[RobotFunction] = ()) -> ca.Function:
     """The program :func:`..algorithms.linear_model.changes`; where directions have columns the results have them."""
-    program = programs.changes(chain)
+    program = programs.changes(chain, sensors)
     given = symbols(chain, "q v tau w_ext p") | {n: ca.SX.sym(n, k) for n, k in program.inputs.items() if n[:2] == "d_"}
     return function("linear_model", given, **expressions(program, given))
 
@@ -35,7 +38,7 @@ def tendon_work(chain: Chain) -> ca.Function:
     """
     given = symbols(chain, "q p")
     others = ca.SX.sym("others", chain.n_tau - chain.n_joints)
-    work = -ca.dot(others[: chain.n_tensions], expressions(tendon_length(chain), given)["length"])
+    work = -ca.dot(others[: chain.n_tensions], expressions(BY_NAME["tendon_length"].program(chain), given)["length"])
     slope, force = ca.hessian(work, given["q"])
     along, bend = ca.SX.zeros(chain.nv), ca.SX.zeros(chain.nv, chain.nv)
     along[chain.flat_v.tolist()] = force[chain.flat_q.tolist()]  # tendons bend links, and turn no ball joint

@@ -18,7 +18,7 @@ from ...errors import UsageError
 from ...ir.program import Program
 from ...ir.replay import run
 from ...topology.chain import Chain
-from .functions import NoClosedFormError, unary, without_parts
+from .functions import NoClosedFormError, function, without_parts
 from .ring import COORDINATE, RATE, ExactSum, Generator, Ring, coefficients, derivative
 
 Matrix = list[list[ExactSum]]
@@ -56,7 +56,7 @@ class Derivation:
 
     def _apply(self, _: int, number: int, program: Program, given: Mapping[str, list]) -> dict[str, list]:
         ring = self.ring
-        found = run(program, given, lambda op, x: unary(ring, op, x), literal=ring.literal)[0]
+        found = run(program, given, lambda op, *x: function(ring, op, *x), literal=ring.literal)[0]
         return {name: [without_parts(ring.literal(x)) for x in values] for name, values in found.items()}
 
     def forces(self, moving: bool, accelerating: bool, weight: bool = True) -> list[ExactSum]:

@@ -28,8 +28,8 @@ class NoClosedFormError(UsageError):
     """A function that is no finite sum of sines and cosines."""
 
 
-def unary(ring: Ring, op: str, x: Any) -> ExactSum:
-    """The unary primitives of programs."""
+def function(ring: Ring, op: str, x: Any, *more: Any) -> ExactSum:
+    """The primitives of programs."""
     a = ring.literal(x)
     if op == "neg":
         return -a
@@ -39,7 +39,8 @@ def unary(ring: Ring, op: str, x: Any) -> ExactSum:
         return sine(a) if op == "sin" else cosine(a)
     if op.startswith("c") and op[1:].isdigit():
         return stumpff(int(op[1:]), a)
-    raise NoClosedFormError("its friction falls" if op == "exp" else "it has forces that begin at a limit")
+    said = {"exp": "its friction falls", "atan2": "a law asks for the angle of a point"}
+    raise NoClosedFormError(said.get(op, "it has forces that begin at a limit"))
 
 
 def cosine(a: ExactSum) -> ExactSum:

@@ -17,7 +17,7 @@ from ...ir.program import Program, Value
 from ...ir.replay import BINARY, run
 from ...topology.chain import Chain
 from .forms import flat, written
-from .functions import NoClosedFormError, unary
+from .functions import NoClosedFormError, function
 from .make import BUDGET, ParameterSymbols
 from .names import Name
 from .ring import COORDINATE, ExactSum, Generator, Ring, TooLargeError
@@ -98,9 +98,9 @@ def _program(chain: Chain) -> tuple[Program, list[Place]]:
 
 
 def _run(ring: Ring, program: Program, given: Mapping[str, list[Known]]) -> Iterator[Known]:
-    function = lambda op, x: _tried(lambda: unary(ring, op, x)) if x is not None else None  # noqa: E731
+    known = lambda op, *x: None if any(a is None for a in x) else _tried(lambda: function(ring, op, *x))  # noqa: E731
     binary = {op: _operation(ring, op) for op in BINARY}
-    outputs, _ = run(program, given, function, literal=ring.literal, binary=binary)
+    outputs, _ = run(program, given, known, literal=ring.literal, binary=binary)
     yield from outputs["M"]
 
 

@@ -19,7 +19,7 @@ from ..c.stumpff_slopes import slopes
 from ..numpy.closing import OPENED, extent
 from ..numpy.numeric import Numeric
 from ..templates import folder, render
-from .variables import GROUPS, METHOD, STEP, Variable, first_references
+from .variables import METHOD, STEP, Variable, first_references, groups
 
 HEADERS = {
     2: ("fmi2TypesPlatform.h", "fmi2FunctionTypes.h", "fmi2Functions.h"),
@@ -36,15 +36,16 @@ def sources(project: CProject, version: int, variables: list[Variable], programs
 
     In place of the token stands ``TOKEN``.
     """
+    answers = programs["answers"]
     values = (
         project.context
         | programs
         | {
             "fmi": version,
             "token": TOKEN,
-            "first": first_references(variables),
+            "first": first_references(answers, variables),
             "count": len(variables),
-            "groups": [name for name in GROUPS if name not in SENSED or name in programs["answers"].rows],
+            "groups": [name for name in groups(answers) if name not in SENSED or name in answers.rows],
             "default_step": repr(STEP),
             "default_method": list(project.methods).index(METHOD) + 1,
             "start": [repr(x.start) for x in variables if x.group == "q"],

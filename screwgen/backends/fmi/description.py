@@ -8,7 +8,6 @@ from xml.etree.ElementTree import Element, SubElement
 
 from ...algorithms.response import Response
 from ...spec.tendons import tendon_names
-from ...topology.chain import Chain
 from .units import exponents, spelled
 from .variables import STEP, Variable, first_references
 
@@ -127,7 +126,7 @@ def _typed(parent: Element, reference: int, x: Variable) -> None:
 
 def _structure(parent: Element, answers: Response, version: int, variables: Sequence[Variable]) -> None:
     """Outputs, rates of states, and what is unknown at the beginning, with what each depends on."""
-    chain, first, depends = answers.chain, first_references(variables), _dependencies(answers, variables)
+    chain, first, depends = answers.chain, first_references(answers, variables), _dependencies(answers, variables)
     outputs = [k for k, x in enumerate(variables) if x.causality == "output"]
     rates = list(range(first["qdot"], first["qdot"] + chain.nq + chain.nvz))
     unknown = sorted([k for k in outputs if variables[k].initial == "calculated"] + rates)
@@ -149,7 +148,7 @@ def _kind(variables: Sequence[Variable], k: int) -> str:
 
 def _dependencies(answers: Response, variables: Sequence[Variable]) -> dict[int, list[int]]:
     """The value references of states and inputs on which each rate and output depends."""
-    first, found = first_references(variables), answers.sparsity()
+    first, found = first_references(answers, variables), answers.sparsity()
     out = {k: [k] for k in range(first["q"], first["tau"])}
     for group, rows in found.items():
         out |= {first[group] + k: [first["q"] + n for n in row] for k, row in enumerate(rows)}
@@ -169,11 +168,11 @@ def build_description(name: str, files: Sequence[str]) -> bytes:
     return _text(root)
 
 
-def terminals(chain: Chain, variables: Sequence[Variable]) -> bytes:
+def terminals(answers: Response, variables: Sequence[Variable]) -> bytes:
     """``terminalsAndIcons/terminalsAndIcons.xml``: a terminal for each joint axis, tendon and tip."""
     root = Element("fmiTerminalsAndIcons", fmiVersion="3.0")
     listed = SubElement(root, "Terminals")
-    first = first_references(variables)
+    chain, first = answers.chain, first_references(answers, variables)
     for k in range(chain.n_joints):
         members = {
             "coordinate": first["q"] + chain.axis_places[k],

@@ -53,7 +53,7 @@ def unit(project: CProject, programs: dict, target: str) -> Unit:
     descriptions = {"modelDescription.xml": model}
     if version == 3:
         descriptions["sources/buildDescription.xml"] = description.build_description(project.name, listed)
-        descriptions["terminalsAndIcons/terminalsAndIcons.xml"] = description.terminals(chain, found)
+        descriptions["terminalsAndIcons/terminalsAndIcons.xml"] = description.terminals(answers, found)
     return Unit(project.name, version, files, descriptions, derived)
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...algorithms.entry_names import entry_meanings, entry_names, entry_units
+from ...algorithms.entry_names import entry_meanings, entry_units, names_in
 from ...algorithms.gauges import strain_names
 from ...algorithms.response import OWN, REPORTED, Response
 from ...algorithms.robot_functions import SENSED
@@ -26,9 +26,6 @@ STEP, METHOD = 1e-3, "modal_implicit"
 
 MODE_NOMINAL, RATE_NOMINAL = 1e-2, 1e-1
 """Nominal values of modal coordinates (m, torsion: rad) and of their rates; those of all other states are 1."""
-
-GROUPS = ("time", "solver", "parameters", "q", "v", "tau", "w_ext", *OWN, *REPORTED, *SENSED, "measures")
-"""The groups of variables, in the order of their value references."""
 
 WRENCH_UNITS = {part: "N" if part.startswith("F") else "N·m" for part in WRENCH}
 MEASURE_UNITS = {"slope": "rad"}
@@ -81,10 +78,17 @@ def variables(answers: Response, methods: Sequence[str], baked: bool) -> list[Va
     return out
 
 
-def first_references(found: Sequence[Variable]) -> dict[str, int]:
+def groups(answers: Response) -> tuple[str, ...]:
+    """The groups of variables, in the order of their value references; those of sensors are empty where none asks."""
+    reported = dict.fromkeys((*REPORTED, *SENSED, *answers.reports))
+    return ("time", "solver", "parameters", "q", "v", "tau", "w_ext", *OWN, *reported, "measures")
+
+
+def first_references(answers: Response, found: Sequence[Variable]) -> dict[str, int]:
     """The first value reference of every group; of an empty one that of the group behind it."""
-    counts = {group: sum(x.group == group for x in found) for group in GROUPS}
-    return {group: sum(counts[g] for g in GROUPS[:k]) for k, group in enumerate(GROUPS)}
+    own = groups(answers)
+    counts = {group: sum(x.group == group for x in found) for group in own}
+    return {group: sum(counts[g] for g in own[:k]) for k, group in enumerate(own)}
 
 
 def _states(chain: Chain) -> Iterator[Variable]:
@@ -168,11 +172,8 @@ def _outputs(answers: Response) -> Iterator[Variable]:
         yield of("wrench", name, WRENCH_UNITS[WRENCH[k % 6]], "of the joint on the link, at the joint point, in F_i")
     for name, unit in strain_names(chain).items():
         yield of("strain", name, unit, "strain of the centreline at the link's base, or at its marker")
-    efforts, markers = coordinate_names(chain.robot).tau, [marker.name for marker in chain.markers]
-    pieces = [segment.name for segment in chain.segments]
     for told in answers.rows.values():
-        names = entry_names(told, efforts, markers, pieces, chain.cylinders, chain.force_quantities)
-        for entry in zip(names, entry_units(told, chain), entry_meanings(told, chain), strict=True):
+        for entry in zip(names_in(told, chain), entry_units(told, chain), entry_meanings(told, chain), strict=True):
             yield of(told.name, *entry)
     for segment in chain.segments:
         for measure in MEASURES:

@@ -208,9 +208,9 @@ class JaxAccelerations:
         rate, later = v[rates], v_there[rates]
         M, K, D = (self.properties[name] for name in COLUMNS["eta"])
         rows, felt, entries = self.chain.springs
-        inertia = M + replayed(spring_stage(), {"x": 0.0, "w": 0.0, "h": h, "K": K, "D": D}, _unary)["inertia"]
+        inertia = M + replayed(spring_stage(), {"x": 0.0, "w": 0.0, "h": h, "K": K, "D": D}, _functions)["inertia"]
         springs = {"x": x[felt], "w": rate[felt], "h": h, "K": K[entries], "D": D[entries]}
-        force = jnp.zeros_like(x).at[rows].add(replayed(spring_stage(), springs, _unary)["force"])
+        force = jnp.zeros_like(x).at[rows].add(replayed(spring_stage(), springs, _functions)["force"])
         for law, coordinates, sides, axes in self.laws:
             at, side = jnp.array(coordinates), jnp.array(sides, self.own.real)
             state = {"side": side, "x": x[at], "w": rate[at], "there": later[at], "h": h}
@@ -219,7 +219,7 @@ class JaxAccelerations:
             if law in self.chain.internal:
                 state |= {"z": v[jnp.array(self.chain.internal[law])]}
                 remembering.append((law, at, state))
-            found = replayed(stage(law), state, _unary)
+            found = replayed(stage(law), state, _functions)
             inertia, force = inertia.at[at].add(found["inertia"]), force.at[at].add(found["force"])
         given = {**self.given, "m_eta": inertia, "f_eta": force, "q": q_there, "v": v_there}
         if self.chain.compliant and not isinstance(h, float):
@@ -235,7 +235,7 @@ class JaxAccelerations:
         a = vdot[rates]
         out = jnp.concatenate([vdot, jnp.zeros(self.chain.n_internal, vdot.dtype)])
         for law, at, state in remembering:
-            found = replayed(state_rate(law), state | {"a": a[at]}, _unary)["rate"]
+            found = replayed(state_rate(law), state | {"a": a[at]}, _functions)["rate"]
             out = out.at[jnp.array(self.chain.internal[law])].set(found)
         if self.chain.n_force_states:
             own = self.chain.force_states
@@ -244,8 +244,8 @@ class JaxAccelerations:
         return out
 
 
-def _unary(op: str, x: Any) -> Any:
-    """The unary primitives of laws on arrays."""
+def _functions(op: str, x: Any, *more: Any) -> Any:
+    """The primitives of laws on arrays."""
     if op == "neg":
         return -x
-    return (x > 0).astype(x.dtype) if op == "on" else getattr(jnp, op)(x)
+    return (x > 0).astype(x.dtype) if op == "on" else getattr(jnp, op)(x, *more)

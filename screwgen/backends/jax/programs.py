@@ -161,19 +161,19 @@ def _row(
         y, which = take(b), op[:count, None]
         out = x / y if kind else jnp.where(which == 2, x * y, jnp.where(which == 1, x - y, x + y))
     else:
-        out = unary(kind, x)
+        out = functions(kind, x, *([take(b)] if kind == "atan2" else []))
     return jnp.concatenate([out, jnp.zeros((width - count, out.shape[1]), out.dtype)]) if count < width else out
 
 
-def unary(op: str, x: jax.Array) -> jax.Array:
-    """The unary primitives on arrays."""
+def functions(op: str, x: jax.Array, *more: jax.Array) -> jax.Array:
+    """The primitives on arrays."""
     if op == "neg":
         return -x
     if op == "on":
         return (x > 0).astype(x.dtype)
     if op[0] == "c" and op[1:].isdigit():
         return _stumpff(int(op[1:]), x)
-    return getattr(jnp, op)(x)
+    return jnp.arctan2(x, *more) if op == "atan2" else getattr(jnp, op)(x)
 
 
 def _stumpff(order: int, x: jax.Array) -> jax.Array:
@@ -197,7 +197,7 @@ def straight(program: Program) -> Callable[[Values], tuple[dict[str, Any], Any]]
     def evaluate(inputs: Values) -> tuple[dict[str, Any], Any]:
         given = {name: [inputs[name][i] for i in range(size)] for name, size in program.inputs.items()}
         real = jnp.result_type(*(inputs[name] for name in program.inputs))
-        outputs, guards = run(program, given, unary, float(jnp.finfo(real).eps))
+        outputs, guards = run(program, given, functions, float(jnp.finfo(real).eps))
         stack = lambda values: jnp.stack([jnp.asarray(x, real) for x in values]) if values else jnp.zeros(0, real)  # noqa: E731
         return {name: stack(values) for name, values in outputs.items()}, stack(guards)
 

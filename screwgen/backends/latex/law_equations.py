@@ -58,14 +58,14 @@ class _SymbolTracer:
     def __init__(self) -> None:
         self.values: dict[tuple[str, sp.Expr], sp.Symbol] = {}
 
-    def call(self, name: str, x: Any) -> sp.Expr:
+    def call(self, name: str, x: Any, *more: Any) -> sp.Expr:
         """A function of a program."""
         x = sp.sympify(x)
         if name == "on":
             return sp.Function(r"mathrm{H}")(x)
         if name.startswith("c") and name[1:].isdigit():
             return stumpff(int(name[1:]), x)
-        return getattr(sp, name)(x)
+        return getattr(sp, name)(x, *more)
 
     def named(self, name: str, x: Any) -> Any:
         """A symbol for the value, unless it is one by itself."""

@@ -142,6 +142,8 @@ class Scalars:
             return self._power(f)
         if isinstance(f, stumpff):
             return rf"\mathrm{{c}}_{{{f.args[0]}}}({self(f.args[1])})"
+        if isinstance(f, sp.atan2):
+            return rf"\operatorname{{atan2}}({self(f.args[0])}, {self(f.args[1])})"
         if f.is_Function:
             return rf"\{f.func.__name__} {self._argument(f.args[0])}"
         return rf"\left({self(f)}\right)"
@@ -152,7 +154,7 @@ class Scalars:
     def _power(self, f: sp.Expr) -> str:
         if f.exp == sp.Rational(1, 2):
             return rf"\sqrt{{{self(f.base)}}}"
-        if f.base.is_Function and not isinstance(f.base, stumpff):
+        if f.base.is_Function and not isinstance(f.base, stumpff | sp.atan2):
             name, argument = f.base.func.__name__, self._argument(f.base.args[0])
             return rf"\{name}^{{{self(f.exp)}}} {argument}"
         text = self._factor(f.base)

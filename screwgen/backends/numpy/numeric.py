@@ -34,7 +34,7 @@ from ...algorithms.linearise import closed_slopes, slopes
 from ...algorithms.marker_functions import STRAINED
 from ...algorithms.parameter_slopes import BY_P
 from ...algorithms.robot_function import RobotFunction, results
-from ...algorithms.robot_functions import BY_NAME
+from ...algorithms.robot_functions import known
 from ...algorithms.schedule import Algorithm
 from ...arguments import Loads, Numbers, array
 from ...errors import ScrewgenError, SingularError
@@ -155,14 +155,14 @@ class Numeric:
     def __getattr__(self, name: str) -> Callable:
         """The functions of :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`, by name, and as
         ``forward_dynamics_by_p(q, v, tau, w_ext, of="arm.*")`` their derivatives by parameters, see :mod:`.by_p`."""
-        if name.endswith(BY_P) and name.removesuffix(BY_P) in BY_NAME:
-            return partial(by_p.of_function, self, BY_NAME[name.removesuffix(BY_P)].of(self.chain))
-        if name not in BY_NAME:
+        functions, plain = known(self.chain) if "chain" in self.__dict__ else {}, name.removesuffix(BY_P)
+        if plain not in functions:
             raise AttributeError(f"'Numeric' has no attribute '{name}'", name=name, obj=self)
-        return partial(self._results, BY_NAME[name].of(self.chain))
+        row = functions[plain].of(self.chain)
+        return partial(self._results, row) if plain == name else partial(by_p.of_function, self, row)
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *BY_NAME]
+        return [*super().__dir__(), *known(self.chain)]
 
     def _results(self, row: RobotFunction, *given: Loads, **more: Loads) -> Any:
         """The results of a function of the robot: arrays, numbers, a tuple where they are several."""

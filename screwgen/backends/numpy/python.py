@@ -45,7 +45,14 @@ def series(order: int, x: float) -> float:
     return total / math.factorial(order)
 
 
-NAMESPACE = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "exp": math.exp, "c4": c4, "c5": c5}
+NAMESPACE: dict[str, Callable[..., float]] = {
+    "sqrt": math.sqrt,
+    "sin": math.sin,
+    "cos": math.cos,
+    "exp": math.exp,
+    "atan2": math.atan2,
+}
+NAMESPACE |= {"c4": c4, "c5": c5}
 for order in range(6, 10):
     NAMESPACE[f"c{order}"] = following(order, NAMESPACE[f"c{order - 2}"])
 NAMESPACE["on"] = lambda x: float(x > 0.0)
@@ -80,4 +87,4 @@ def _expression(node: Node, number: Mapping[str, int]) -> str:
     args = [_value(a) for a in node.args]
     if node.op in BINARY:
         return f"{args[0]} {SYMBOL[node.op]} {args[1]}"
-    return f"-{args[0]}" if node.op == "neg" else f"{node.op}({args[0]})"
+    return f"-{args[0]}" if node.op == "neg" else f"{node.op}({', '.join(args)})"

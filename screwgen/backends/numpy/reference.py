@@ -67,7 +67,7 @@ def accelerations(
         return [float(x) for x in vdot], [float(x) for x in wrench]
 
 
-def evaluation(chain: Chain, unary: Callable, epsilon: float) -> Apply:
+def evaluation(chain: Chain, functions: Callable, epsilon: float) -> Apply:
     """Evaluates phases in numbers whose spacing at 1 is `epsilon`; 0 for as many digits as one likes.
 
     What it evaluates raises :class:`SingularError` where a guard fails, as the generated code does: out of a linkage's
@@ -76,7 +76,7 @@ def evaluation(chain: Chain, unary: Callable, epsilon: float) -> Apply:
 
     def apply(link: int, phase: int, program: Program, inputs: Mapping[str, list]) -> Mapping[str, list]:
         try:
-            outputs, guards = run(program, inputs, unary, epsilon)
+            outputs, guards = run(program, inputs, functions, epsilon)
         except ZeroDivisionError:
             if not epsilon:  # the inertia is zero, and not lost to rounding
                 raise
@@ -88,9 +88,9 @@ def evaluation(chain: Chain, unary: Callable, epsilon: float) -> Apply:
     return apply
 
 
-def _real(op: str, x: mpmath.mpf) -> mpmath.mpf:
-    """The unary primitives in mpmath; not a number where they have no real value."""
-    return mpmath.nan if op == "sqrt" and x < 0 else fused.precise(op, x)
+def _real(op: str, x: mpmath.mpf, *more: mpmath.mpf) -> mpmath.mpf:
+    """The primitives in mpmath; not a number where they have no real value."""
+    return mpmath.nan if op == "sqrt" and x < 0 else fused.precise(op, x, *more)
 
 
 DRAWS = 16
@@ -196,14 +196,13 @@ def _stacked(values: Sequence, draws: int) -> np.ndarray:
 
 
 def _elementwise(real: type) -> Callable:
-    """The unary primitives on arrays, each number rounded to the nearest: the same on every machine."""
+    """The primitives on arrays, each number rounded to the nearest: the same on every machine."""
 
-    def apply(op: str, x: np.ndarray) -> np.ndarray:
-        if op in ("neg", "on"):
-            return -x if op == "neg" else (x > 0).astype(real)
-        if op == "sqrt":  # every machine rounds it to the nearest
-            return np.sqrt(x)
-        return np.array([real(_real(op, mpmath.mpf(float(entry)))) for entry in np.atleast_1d(x)])
+    def apply(op: str, x: np.ndarray, *more: np.ndarray) -> np.ndarray:
+        if op in ("neg", "on", "sqrt"):  # every machine rounds a root to the nearest
+            return -x if op == "neg" else np.sqrt(x) if op == "sqrt" else (x > 0).astype(real)
+        exactly = lambda *given: real(_real(op, *(mpmath.mpf(float(x)) for x in given)))  # noqa: E731
+        return np.vectorize(exactly, otypes=[real])(np.atleast_1d(x), *more)
 
     return apply
 

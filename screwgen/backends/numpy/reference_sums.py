@@ -258,10 +258,12 @@ def weighted_sum(x: Iterable) -> float:
     return float(sum((1 + 7 * k % 97 / 97) * float(value) for k, value in enumerate(x)))
 
 
-def _rounded(op: str, x: float) -> float:
-    """A function of one number, rounded once; NaN where it has no value, or is that of a section beyond a full turn."""
+def _rounded(op: str, x: float, *more: float) -> float:
+    """A function of numbers, rounded once; NaN where it has no value, or is that of a section beyond a full turn."""
     if op == "neg":
         return -x
-    if not math.isfinite(x) or (op == "sqrt" and x < 0) or (op[0] == "c" and op != "cos" and not abs(x) < FULL_TURN**2):
+    if not all(map(math.isfinite, (x, *more))):
         return math.nan
-    return float(fused.precise(op, mpmath.mpf(x)))
+    if (op == "sqrt" and x < 0) or (op[0] == "c" and op != "cos" and not abs(x) < FULL_TURN**2):
+        return math.nan
+    return float(fused.precise(op, *map(mpmath.mpf, (x, *more))))

@@ -19,7 +19,7 @@ class Input:
     """A kind of input: entries of `tau` that act on a robot in one way.
 
     A robot has it where :meth:`names` has any. Torques of axes come first in `tau`, tensions of tendons follow, then
-    kinds that a `Robot` of Python holds in `inputs`. What gives torques alone leaves all others at zero.
+    kinds that a `Robot` of Python holds in `inputs`. Studies that find torques alone leave all others at zero.
 
     The entries reach the equations through a signal of links (``signal``, :meth:`of_links`), or with
     :attr:`free_fall`. Their power is linear in rates and entries; derivatives by entries follow from it.

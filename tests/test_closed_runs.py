@@ -12,6 +12,7 @@ from screwgen.backends.numpy.closing import moving
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.simulation import rollout_loops
 from screwgen.simulation.estimator import Estimator
+from screwgen.simulation.hits import LimitWarning
 from screwgen.simulation.loop_watch import LoopWatch
 
 
@@ -19,6 +20,15 @@ def moving_off(model, fast: float) -> np.ndarray:
     """Rates that keep the loops closed at q = 0, the largest of them `fast`."""
     v = moving(model.numpy(), np.zeros(model.nq), np.arange(1, model.nv + 1) ** 1.5)
     return v * fast / np.max(np.abs(v))
+
+
+def four_bar() -> dict:
+    """A linkage in the x-z plane; three rows of its hinge are no motion's."""
+    bars = [link("crank", 0.3, "y", 2.0), link("coupler", 0.9, "y", 1.5)]
+    rocker = link("rocker", 0.6, "y", 1.8, parent="world")
+    rocker["joint"]["mount"] = {"xyz": [0.8, 0.0, 0.0]}
+    hinge = {"between": ["coupler.tip", "rocker.tip"], "joint": {"axes": ["y"]}}
+    return arm(*bars, rocker) | {"loops": [hinge]}
 
 
 # ------------------------------------------------------------------------------ half a turn
@@ -87,17 +97,25 @@ def test_an_overconstrained_linkage_stays_on_its_mechanism():
     assert max(np.max(model.numpy().mismatch(q)) for q in run.q[::100]) < 1e-5
 
 
+def test_the_energy_of_a_step_is_judged_by_the_efforts_that_it_holds(monkeypatch):
+    """An effort far beyond its limit works no more than that: no step is run a second time, in C as in NumPy."""
+    robot = four_bar()
+    robot["links"][0]["joint"]["limits"] = [{"effort": 2.0}]
+    model, seen = model_of(robot), []
+    monkeypatch.setattr(LoopWatch, "warn", lambda watch: seen.append(watch.seen.sum))
+    q = assemble(model, [-0.4, 0.0, -1.0], hold=["crank.joint[0]"])
+    for backend in ("c", "numpy"):
+        with pytest.warns(LimitWarning, match="held at the limit of its effort"):
+            simulate(model, 0.05, 1e-3, q0=q, controller=[80.0, 0.0, 0.0], backend=backend)
+    assert seen == [0.0, 0.0]
+
+
 # ------------------------------------------------------------------------------ parameters
 
 
 @pytest.fixture(scope="module")
 def planar():
-    """A four-bar linkage in the x-z plane; three rows of its hinge are no motion's."""
-    bars = [link("crank", 0.3, "y", 2.0), link("coupler", 0.9, "y", 1.5)]
-    rocker = link("rocker", 0.6, "y", 1.8, parent="world")
-    rocker["joint"]["mount"] = {"xyz": [0.8, 0.0, 0.0]}
-    hinge = {"between": ["coupler.tip", "rocker.tip"], "joint": {"axes": ["y"]}}
-    return model_of(arm(*bars, rocker) | {"loops": [hinge]})
+    return model_of(four_bar())
 
 
 def test_parameters_that_open_a_loop_are_refused(planar):

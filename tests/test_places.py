@@ -22,6 +22,8 @@ def written(tmp_path):
         "features/tides": "{% macro lines() %}\ntides of {{ name }}\n{% endmacro %}"
         "{% macro ends() %}{{ k }}{% endmacro %}",
         "features/winds": "{% macro lines() %}\nwinds\n{% endmacro %}{% macro words() %}<{{ caller() }}>{% endmacro %}",
+        "features/storms": "{% macro words() %}{% replaced force %}9{% endreplaced %}{% endmacro %}",
+        "features/gusts": "{% macro force() %}{{ caller() }} of {{ name }}{% endmacro %}",
     }
     for name, text in files.items():
         (tmp_path / f"{name}.jinja").write_text(text)
@@ -33,6 +35,11 @@ def test_a_place_has_what_features_write_in_their_order(written):
     assert written("tides") == "sea\ntides of x\n(x)\n01"
     assert written("winds", "tides") == "sea\nwinds\ntides of x\n(<x>)\n01"
     assert written("none", "tides") == written("tides")
+
+
+def test_what_a_feature_writes_has_places_for_others(written):
+    assert written("storms") == "sea\n(9)\n"
+    assert written("storms", "gusts") == "sea\n(9 of x)\n"
 
 
 @pytest.mark.parametrize("below", FOLDERS, ids=lambda path: path.name)

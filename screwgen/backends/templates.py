@@ -45,7 +45,8 @@ class TemplatePlaces(jinja2.ext.Extension):
 
     ``{% added sizes %}`` is what every feature adds there.  ``{% replaced start %}…{% endreplaced %}`` is what a
     feature writes in place of the text between, which stays where none does and which the feature has as ``caller()``.
-    What a feature writes is the macro of the place's name in ``features/<feature>.jinja`` beside the template.
+    What a feature writes is the macro of the place's name in ``features/<feature>.jinja`` beside the template; it may
+    have places itself.
     """
 
     tags = {"added", "replaced"}  # noqa: RUF012 - Jinja's own name and type
@@ -59,7 +60,8 @@ class TemplatePlaces(jinja2.ext.Extension):
         return nodes.CallBlock(call, [], [], body, lineno=tag.lineno)
 
     def _written(self, place: str, context: Context, caller: Macro) -> str:
-        values, beside = context.get_all(), Path(str(context.name)).parent / FEATURES
+        values, folder = context.get_all(), Path(str(context.name)).parent
+        beside = folder if folder.name == FEATURES else folder / FEATURES
         names = [f"{beside}/{feature}.jinja" for feature in values[FEATURES]]
         modules = [file.make_module(values, shared=True) for file in self._stored(names)]
         macros = [getattr(module, place) for module in modules if hasattr(module, place)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from math import inf
 from typing import Any, NamedTuple
@@ -219,8 +219,21 @@ class MpcProject(CProject):
     @cached_property
     def context(self) -> dict:
         mine, chain = super().context, self.chain
-        own = {"n_joints": chain.n_joints, "mpc": content(self.fitted, bool(self.baked)) | mpc_inputs.content(chain)}
-        return mine | own | {FEATURES: mine[FEATURES] + mpc_inputs.features(chain)}
+        asked = content(self.fitted, bool(self.baked)) | mpc_inputs.content(chain)
+        written = mine[FEATURES] + mpc_inputs.features(chain) + features(asked)
+        return mine | {"n_joints": chain.n_joints, "mpc": asked, FEATURES: written}
+
+
+def features(asked: Mapping[str, Any]) -> tuple[str, ...]:
+    """What the terms and bounds of the file write, as :class:`..templates.TemplatePlaces` finds it."""
+    return (
+        *("planned_wrenches",) * bool(asked["wrenches"]),
+        *("planned_tip",) * bool(asked["terms"]),
+        *("soft_bounds",) * bool(asked["soft"]),
+        *("bounded_states",) * bool(asked["plain"] or asked["gauges"]),
+        *("bounded_strains",) * bool(asked["gauges"]),
+        *("terminal_cost",) * asked["terminal"],
+    )
 
 
 def content(fitted: Fitted, baked: bool) -> dict[str, Any]:

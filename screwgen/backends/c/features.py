@@ -9,6 +9,10 @@ from ...topology.chain import Chain
 from ..templates import FEATURES
 from . import brakes, closing, compliant, force_states, forces, held, inputs, laws, prescribed
 from .code import Place
+from .fields import has_axis_terms
+
+CURVED = ("curved", "curved_in_derivatives", "curved_in_estimator")
+"""What joints write whose coordinates do not add up, as :class:`..templates.TemplatePlaces` finds it."""
 
 
 def files(chain: Chain) -> tuple[str, ...]:
@@ -32,7 +36,8 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     acting = forces.content(chain, baked, place)
     compliance = compliant.content(chain, baked, place)
     first = compliant.COMPLIANT * bool(chain.compliant)  # what their rows bear acts before loops and forces are asked
-    out: dict[str, object] = {FEATURES: first + forces.features(chain) + written, **acting, **compliance}
+    first = of_motion(chain) + first + forces.features(chain)
+    out: dict[str, object] = {FEATURES: first + written, **acting, **compliance}
     kept = Counter(forces.scratch(chain, acting)) + Counter(compliant.scratch(chain, compliance))
     if chain.closing.rows:
         loops = closing.loops(chain, baked, place)
@@ -50,3 +55,18 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     out["exponential"] = laws.calls(chain, "exp")
     out["scratch"] = kept + Counter(input=int(chain.holds))
     return out | ({"idle": closing.idle_rows(chain, place)} if chain.closing.idle else {})
+
+
+def of_motion(chain: Chain) -> tuple[str, ...]:
+    """What coordinates write, and what acts on single ones; gears are named before laws."""
+    balls = any(not part.joint.in_space for part in chain.curved)
+    return (
+        *("axis_forces",) * chain.has_axis_forces,
+        *("rotors",) * bool(chain.n_added),
+        *CURVED * bool(chain.curved),
+        *("floating",) * bool(chain.base_v),
+        *("own_places",) * (balls and chain.has_axis_forces),
+        *("balls",) * balls,
+        *("coupled_modes",) * any(key.coupled for key in chain.keys),
+        *("drives",) * has_axis_terms(chain),
+    )

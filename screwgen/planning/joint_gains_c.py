@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..backends.c.columns import rendered
+from ..backends.templates import FEATURES
 from ..version import __version__ as VERSION
 from .lqg_c import UNLIMITED
 from .plan_c import check_for_c, numbers
@@ -27,6 +28,7 @@ def law_files(law: JointGains) -> dict[str, str]:
         "name": law.robot,
         "joints": law.joints,
         "step": repr(law.step),
+        FEATURES: ("integral_law",) * (law.ki is not None) + ("law_with_levers",) * law.levers,
         "summed": law.ki is not None,
         "levers": law.levers,
         "limits": numbers(np.minimum(law.tau_max, UNLIMITED)),

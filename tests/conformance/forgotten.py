@@ -93,7 +93,7 @@ TABLE: list[Mutant] = [
       "(x[k] + dt * xdot[k]) + D * xdot[k];", "(x[k] + dt * xdot[k]); (void)D;"),
     M("passive", "DAE runs", "screwgen/backends/numpy/dae_step.py",
       "np.append(self.joint_rates(x)[0], etadot)", "np.append(0 * self.joint_rates(x)[0], etadot)"),
-    M("coupling", "DAE runs", C + "features/loops.jinja",
+    M("coupling", "DAE runs", C + "features/couplings.jinja",
       "    call->tau = work->loops.input.tau;\n", ""),
     # ---------------------------------------------------------------------------------------- CasADi, acados, JAX
     M("tendon", "CasADi", "screwgen/backends/casadi/steps.py", "tau=ca.vertcat(tau, *others))", "tau=tau)"),
@@ -107,7 +107,7 @@ TABLE: list[Mutant] = [
       'rates = jax.vmap(lambda v: self._coordinate_rates({**x, "v": v}), out_axes=1)(units)',
       "rates = jnp.eye(self.chain.nq, len(units))"),
     # ------------------------------------------------------------------------------------------------------- the C
-    M("coupling", "C, fused", C + "features/loops.jinja",
+    M("coupling", "C, fused", C + "features/couplings.jinja",
       "torque[k] = work->loops.input.tau[k] - input->tau[k];", "torque[k] = work->loops.input.tau[k];"),
     M("welded loop", "C, modular", C + "features/loops.jinja",
       "$_dynamics(c, s, &work->loops.input, m_eta, work, wanted, y);", "$_dynamics(c, s, u, m_eta, work, wanted, y);"),

@@ -57,7 +57,7 @@ LATER: list[Mutant] = [
       "                row[P_AT + j] += by_vdot[k] * work->vdot_by_p[k * $$_NBY_P + j];\n",
       "                (void)row;\n"),
     M("limited", "estimator of parameters", PARAMETERS, '{{ "&work->step.held" if held else "input" }}', "input"),
-    M("ball loop", "estimator of parameters", LOOPED,
+    M("ball loop", "estimator of parameters", PARAMETERS,
       "H[P_AT + k] = (n < ROWS ? work->gap_by_p : work->rate_by_p)[i * $$_NBY_P + k];", "H[P_AT + k] = 0;"),
     M("bristles", "estimator of parameters", "screwgen/simulation/parameter_estimator.py",
       'if "vdot" in program.inputs:', 'if "vdot" in program.inputs and not chain.n_internal:'),

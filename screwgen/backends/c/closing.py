@@ -16,8 +16,12 @@ OPEN = 1e-5
 """m, or of cosines: the gap of such a row from which parameters count as those of another robot."""
 LOOPS = ("loops", "loops_in_derivatives", "loops_in_estimator", "loops_in_runs")
 """What loops write in the files of every robot, as :class:`..templates.TemplatePlaces` finds it."""
-IDLE_ROWS = ("idle_rows",)
-"""What rows write that no motion changes."""
+
+
+def features(chain: Chain) -> tuple[str, ...]:
+    """What loops, couplings, rows that share forces, and rows that no motion changes write."""
+    written = LOOPS * bool(chain.closing.rows) + ("idle_rows",) * bool(chain.closing.idle)
+    return written + ("couplings",) * bool(chain.closing.couplings) + ("shared_rows",) * chain.closing.overconstrained
 
 
 def loops(chain: Chain, baked: bool, place: Place) -> dict[str, Any]:

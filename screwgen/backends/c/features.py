@@ -29,10 +29,9 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     ``NVZ`` the length of v.
     """
     written = prescribed.PRESCRIBED * bool(chain.given)
-    written += closing.LOOPS * bool(chain.closing.rows) + closing.IDLE_ROWS * bool(chain.closing.idle)
-    written += ("internal",) * bool(chain.n_internal)
+    written += closing.features(chain) + ("internal",) * bool(chain.n_internal)
     written += ("law_states",) * bool(chain.z_offset[-1]) + ("force_states",) * bool(chain.n_force_states)
-    written += inputs.features(chain) + held.HELD * chain.holds + brakes.BRAKES * bool(chain.braked)
+    written += inputs.features(chain) + held.features(chain) + brakes.BRAKES * bool(chain.braked)
     acting = forces.content(chain, baked, place)
     compliance = compliant.content(chain, baked, place)
     first = compliant.COMPLIANT * bool(chain.compliant)  # what their rows bear acts before loops and forces are asked

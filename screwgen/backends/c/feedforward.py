@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cached_property
 
+from ..templates import FEATURES
 from .code import literal
 from .fields import fused_place
 from .project import CProject
@@ -33,7 +34,8 @@ class FeedforwardProject(CProject):
         """The templates' context, with the ratio of every drive as C has it; of none where all are rigid."""
         found = {joint: self._ratio(i, label) for joint, (i, label) in self._stated_ratios.items()}
         ratios = [found.get(joint, "1") for joint in range(self.chain.n_joints)]
-        return super().context | {"ratios": ratios * bool(self.chain.n_added)}
+        mine, twisting = super().context, bool(self.chain.n_added)
+        return mine | {"ratios": ratios * twisting, FEATURES: mine[FEATURES] + ("elastic_efforts",) * twisting}
 
     @property
     def _stated_ratios(self) -> dict[int, tuple[int, str]]:

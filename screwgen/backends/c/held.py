@@ -13,8 +13,11 @@ from .pieces import piece_place
 
 TAKEN = frozenset("c state input held g own motion by_q by_v by_tau rows stride i k".split())
 """The names of parameters and variables of the functions."""
-HELD = ("held",)
-"""What held laws write in the files of every robot, as :class:`..templates.TemplatePlaces` finds it."""
+
+
+def features(chain: Chain) -> tuple[str, ...]:
+    """What held laws write in the files of every robot, as :class:`..templates.TemplatePlaces` finds it."""
+    return ("held",) * chain.holds + ("held_by_motion",) * chain.holds_by_motion
 
 
 def content(chain: Chain, baked: bool, place: Place) -> dict:

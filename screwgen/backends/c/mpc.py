@@ -219,8 +219,9 @@ class MpcProject(CProject):
     @cached_property
     def context(self) -> dict:
         mine, chain = super().context, self.chain
-        own = {"n_joints": chain.n_joints, "mpc": content(self.fitted, bool(self.baked)) | mpc_inputs.content(chain)}
-        return mine | own | {FEATURES: mine[FEATURES] + mpc_inputs.features(chain) + features(own["mpc"])}
+        asked = content(self.fitted, bool(self.baked)) | mpc_inputs.content(chain)
+        written = mine[FEATURES] + mpc_inputs.features(chain) + features(asked)
+        return mine | {"n_joints": chain.n_joints, "mpc": asked, FEATURES: written}
 
 
 def features(asked: Mapping[str, Any]) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""Rendering of the templates; the only module that uses Jinja.
+"""Rendering of the templates: with :mod:`.template_places` all that uses Jinja, which is imported when a text is made.
 
 A template is a skeleton, loops and names and no arithmetic.  A name that a template uses and nobody
 gives is an error; the rendered text is a function of template and values alone.
@@ -8,17 +8,13 @@ What a feature of some robots, such as loops, writes in many files stands in one
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import jinja2
-import jinja2.ext
-from jinja2 import nodes
-from jinja2.parser import Parser
-from jinja2.runtime import Context, Macro
+if TYPE_CHECKING:
+    import jinja2
 
 PACKAGE = Path(__file__).resolve().parents[1]
 
@@ -40,40 +36,6 @@ FEATURES = "features"
 """The value that lists the features of a robot, and the folder beside a template that has what they write."""
 
 
-class TemplatePlaces(jinja2.ext.Extension):
-    """Tags of places where the features of a robot write; the template that has a place names none of them.
-
-    ``{% added sizes %}`` is what every feature adds there.  ``{% replaced start %}…{% endreplaced %}`` is what a
-    feature writes in place of the text between, which stays where none does and which the feature has as ``caller()``.
-    What a feature writes is the macro of the place's name in ``features/<feature>.jinja`` beside the template; it may
-    have places itself.
-    """
-
-    tags = {"added", "replaced"}  # noqa: RUF012 - Jinja's own name and type
-
-    def parse(self, parser: Parser) -> nodes.Node:
-        """The call that finds what stands at a place."""
-        tag = next(parser.stream)
-        place = nodes.Const(parser.stream.expect("name").value)
-        body = parser.parse_statements(("name:endreplaced",), drop_needle=True) if tag.value == "replaced" else []
-        call = self.call_method("_written", [place, nodes.DerivedContextReference()])
-        return nodes.CallBlock(call, [], [], body, lineno=tag.lineno)
-
-    def _written(self, place: str, context: Context, caller: Macro) -> str:
-        values, folder = context.get_all(), Path(str(context.name)).parent
-        beside = folder if folder.name == FEATURES else folder / FEATURES
-        names = [f"{beside}/{feature}.jinja" for feature in values[FEATURES]]
-        modules = [file.make_module(values, shared=True) for file in self._stored(names)]
-        macros = [getattr(module, place) for module in modules if hasattr(module, place)]
-        return "".join(macro(caller=caller) if macro.caller else macro() for macro in macros) if macros else caller()
-
-    def _stored(self, names: Sequence[str]) -> Iterator[jinja2.Template]:
-        """Those of these files that there are: a feature need not write in every folder."""
-        for name in names:
-            with suppress(jinja2.TemplateNotFound):
-                yield self.environment.get_template(name)
-
-
 def folder() -> Path:
     """Where the templates are: inside an installed package, or beside it in a checkout."""
     installed = PACKAGE / "_templates"
@@ -91,6 +53,8 @@ def render(template: str, below: Path | None = None, /, **values: object) -> str
 
 def markup(html: str) -> str:
     """A piece of HTML that a template takes as it is."""
+    import jinja2
+
     return jinja2.utils.markupsafe.Markup(html)
 
 
@@ -101,6 +65,13 @@ def _kind(template: str) -> str:
 
 @cache
 def _environment(kind: str, below: Path) -> jinja2.Environment:
+    import jinja2
+
+    from .template_places import TemplatePlaces
+
+    class Places(TemplatePlaces):
+        features = FEATURES
+
     return jinja2.Environment(
         loader=jinja2.FileSystemLoader(below),
         undefined=jinja2.StrictUndefined,
@@ -108,6 +79,6 @@ def _environment(kind: str, below: Path) -> jinja2.Environment:
         keep_trailing_newline=True,
         trim_blocks=True,
         lstrip_blocks=True,
-        extensions=(TemplatePlaces,),
+        extensions=(Places,),
         **(ANGLES if kind == ".tex" else BRACES),
     )

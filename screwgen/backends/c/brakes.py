@@ -11,7 +11,7 @@ from ...topology.chain import Chain
 from .code import entries
 
 BRAKES = ("brakes",)
-"""What they write, as :class:`..templates.TemplatePlaces` finds it."""
+"""What they write, as :class:`..template_places.TemplatePlaces` finds it."""
 
 
 def content(chain: Chain) -> dict[str, object] | None:

@@ -63,7 +63,7 @@ class ParameterDerivatives:
 
     @property
     def features(self) -> tuple[str, ...]:
-        """What they write in the files of a filter, as :class:`..templates.TemplatePlaces` finds it."""
+        """What they write in the files of a filter, as :class:`..template_places.TemplatePlaces` finds it."""
         return ("parameter_states",) * self.estimated
 
 

@@ -15,7 +15,7 @@ from .pieces import piece_place, pieces
 OPEN = 1e-5
 """m, or of cosines: the gap of such a row from which parameters count as those of another robot."""
 LOOPS = ("loops", "loops_in_derivatives", "loops_in_estimator", "loops_in_runs")
-"""What loops write in the files of every robot, as :class:`..templates.TemplatePlaces` finds it."""
+"""What loops write in the files of every robot, as :class:`..template_places.TemplatePlaces` finds it."""
 
 
 def features(chain: Chain) -> tuple[str, ...]:

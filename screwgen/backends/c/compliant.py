@@ -17,7 +17,7 @@ from .pieces import PIECE, bodies, piece_place, pieces
 CONSTANT = re.compile(r"= (-?(?:\d+|\$\$_REAL\([-+.e\d]+\)));$")
 """The assignment of a number."""
 COMPLIANT = ("compliant",)
-"""What they write in the files of every robot, as :class:`..templates.TemplatePlaces` finds it."""
+"""What they write in the files of every robot, as :class:`..template_places.TemplatePlaces` finds it."""
 FILE = "rows.c"
 POINTERS = {"terms": ("c", "state", "work"), "wrenches": ("c", "state", "input", "m_eta", "f_eta", "ahead", "work")}
 POINTERS["settled"] = "c", "state", "input", "work"

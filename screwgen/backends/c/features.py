@@ -12,7 +12,7 @@ from .code import Place
 from .fields import has_axis_terms
 
 CURVED = ("curved", "curved_in_derivatives", "curved_in_estimator")
-"""What joints write whose coordinates do not add up, as :class:`..templates.TemplatePlaces` finds it."""
+"""What joints write whose coordinates do not add up, as :class:`..template_places.TemplatePlaces` finds it."""
 
 
 def files(chain: Chain) -> tuple[str, ...]:

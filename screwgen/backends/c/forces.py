@@ -13,7 +13,7 @@ from .parameters import ascii_unit, place
 from .pieces import piece_place, pieces
 
 FORCES = ("forces",)
-"""What they write in the files of every robot, as :class:`..templates.TemplatePlaces` finds it."""
+"""What they write in the files of every robot, as :class:`..template_places.TemplatePlaces` finds it."""
 IN_TREE = ("forces_in_tree",)
 """What they write besides where no loops close the tree, whose rows take them along."""
 

@@ -16,7 +16,7 @@ TAKEN = frozenset("c state input held g own motion by_q by_v by_tau rows stride 
 
 
 def features(chain: Chain) -> tuple[str, ...]:
-    """What held laws write in the files of every robot, as :class:`..templates.TemplatePlaces` finds it."""
+    """What held laws write in the files of every robot, as :class:`..template_places.TemplatePlaces` finds it."""
     return ("held",) * chain.holds + ("held_by_motion",) * chain.holds_by_motion
 
 

@@ -12,7 +12,7 @@ from .code import Place, entries
 from .pieces import piece_place, pieces
 
 INPUTS = ("inputs",)
-"""What they write, as :class:`..templates.TemplatePlaces` finds it."""
+"""What they write, as :class:`..template_places.TemplatePlaces` finds it."""
 
 
 def features(chain: Chain) -> tuple[str, ...]:

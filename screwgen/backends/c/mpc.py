@@ -225,7 +225,7 @@ class MpcProject(CProject):
 
 
 def features(asked: Mapping[str, Any]) -> tuple[str, ...]:
-    """What the terms and bounds of the file write, as :class:`..templates.TemplatePlaces` finds it."""
+    """What the terms and bounds of the file write, as :class:`..template_places.TemplatePlaces` finds it."""
     return (
         *("planned_wrenches",) * bool(asked["wrenches"]),
         *("planned_tip",) * bool(asked["terms"]),

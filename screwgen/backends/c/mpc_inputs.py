@@ -9,7 +9,7 @@ from ...topology.chain import Chain
 
 
 def features(chain: Chain) -> tuple[str, ...]:
-    """What they write, as :class:`..templates.TemplatePlaces` finds it."""
+    """What they write, as :class:`..template_places.TemplatePlaces` finds it."""
     return ("chosen",) * _apart(chain) + ("planned_base",) * chain.moving
 
 

@@ -6,7 +6,7 @@ from ...spec.base import BASE_MOTION
 from ...topology.chain import Chain
 
 PRESCRIBED = ("prescribed",)
-"""What they write, as :class:`..templates.TemplatePlaces` finds it."""
+"""What they write, as :class:`..template_places.TemplatePlaces` finds it."""
 
 
 def content(chain: Chain) -> dict[str, object]:

@@ -11,7 +11,7 @@ from ...topology.chain import Chain
 from ...topology.parameters import label
 
 TENDONS = ("tendons",)
-"""What tendons write, as :class:`..templates.TemplatePlaces` finds it."""
+"""What tendons write, as :class:`..template_places.TemplatePlaces` finds it."""
 
 
 def content(chain: Chain) -> dict[str, object] | None:

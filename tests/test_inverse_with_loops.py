@@ -5,7 +5,9 @@ import pytest
 from helpers import arm, link, model_of, relative
 
 from screwgen import assemble
+from screwgen.algorithms.loop_loads import sharing
 from screwgen.backends.numpy.closing import moving
+from screwgen.backends.numpy.python import compiled
 
 DRIVE = {"drives": [{"ratio": 10.0, "rotor_inertia": 1e-4}]}
 
@@ -78,3 +80,14 @@ def test_nothing_acts_on_modes_of_a_motion_that_the_robot_makes():
     rest = np.zeros(model.nv)
     held, _ = f.inverse_dynamics_with_loops(q, rest, rest, None)
     assert np.abs(held[1:3]).max() < 1e-9 and np.abs(held[3:]).max() > 1.0
+
+
+@pytest.mark.parametrize("slope", [1.0, 0.1, 0.03])
+def test_nothing_acts_on_modes_that_hardly_move_a_loop(slope):
+    """The forces of rows that modes alone determine; drives could bear all, and count little."""
+    rng = np.random.default_rng(3)
+    passive, modes, driven = rng.normal(size=(3, 1)), slope * rng.normal(size=(3, 4)), rng.normal(size=(3, 5))
+    J, wanted = np.hstack([passive, modes, driven]), rng.normal(size=3)
+    f = np.append(wanted @ np.hstack([passive, modes]), rng.normal(size=5))
+    found, _ = compiled(sharing((1, 4, 5), 3, False))({"J": J.ravel().tolist(), "f": f.tolist()}, np.finfo(float).eps)
+    assert found["x"] == pytest.approx(wanted, rel=1e-9)

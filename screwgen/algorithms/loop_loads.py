@@ -23,8 +23,9 @@ from .loops import COMPLIANCE, LEAST
 
 CHEAP = 1e-4
 """What the square of a force counts on a coordinate of the second rank, beside one of the first; on the third again."""
-REPEATED = 12
-"""Solutions for what is left, each much less than the last where the ranks differ by `CHEAP`."""
+DOUBLED, REPEATED = 5, 2
+"""Doublings of the number of solutions for what is left, and solutions behind them for what rounding left. A solution
+leaves a small part, but a half where modes move a loop by a hundredth of what driven axes do."""
 
 
 class Shared(NamedTuple):
@@ -58,9 +59,17 @@ def sharing(ranks: tuple[int, int, int], rows: int, dependent: bool) -> Program:
 
     def without(x: Array, last: int) -> Array:
         """The solution that leaves nothing on the first coordinates, if there is one."""
-        for _ in range(REPEATED if last else 0):
-            left = f[:last] - mx.multiply(J[:, :last].T, x)
-            x = x + mx.solve(factor, mx.multiply(weighted[:, :last], left))
+        if not last:
+            return x
+        own, moved = weighted[:, :last], J[:, :last].T
+        answer = lambda x: mx.solve(factor, mx.multiply(own, f[:last] - mx.multiply(moved, x)))  # noqa: E731
+        power = mx.diagonal([1.0] * rows) - mx.solve(factor, mx.multiply(own, moved))  # what a solution leaves
+        more = answer(x)
+        for _ in range(DOUBLED):
+            more, power = more + mx.multiply(power, more), mx.multiply(power, power)
+        x = x + more
+        for _ in range(REPEATED):
+            x = x + answer(x)
         return x
 
     x = without(without(x, ranks[0] + ranks[1]), ranks[0])

@@ -69,7 +69,7 @@ def _environment(kind: str, below: Path) -> jinja2.Environment:
 
     from .template_places import TemplatePlaces
 
-    class Places(TemplatePlaces):
+    class OwnPlaces(TemplatePlaces):
         features = FEATURES
 
     return jinja2.Environment(
@@ -79,6 +79,6 @@ def _environment(kind: str, below: Path) -> jinja2.Environment:
         keep_trailing_newline=True,
         trim_blocks=True,
         lstrip_blocks=True,
-        extensions=(Places,),
+        extensions=(OwnPlaces,),
         **(ANGLES if kind == ".tex" else BRACES),
     )

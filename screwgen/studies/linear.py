@@ -324,17 +324,20 @@ def chosen(given: Sequence[str] | str, groups: Groups, what: str, further: Group
 
 
 def _members(name: str, groups: Groups, further: Groups, what: str) -> list[str]:
-    """The entries that a name stands for in the first of both that has any."""
+    """The entries that a name stands for in the first of both that knows it; a group may have none."""
     for known in (groups, further):
-        if found := _own_members(name, known, list(entries(known))):
+        if (found := _own_members(name, known, list(entries(known)))) is not None:
             return found
     names, every = [*entries(groups), *entries(further)], [*groups, *further]
     hint = nearest(name, [*every, *names]) or f"or entries of them, such as '{names[0]}'"
     raise UnknownNameError(f"{what}: there is no '{one_line(name)}'; choose of {', '.join(every)}; {hint}")
 
 
-def _own_members(name: str, groups: Groups, names: Sequence[str]) -> list[str]:
-    """The entries that a name stands for: a group's, its own, or all below it; `forearm.tau` are the torques there."""
+def _own_members(name: str, groups: Groups, names: Sequence[str]) -> list[str] | None:
+    """The entries that a name stands for: a group's, its own, or all below it; `forearm.tau` are the torques there.
+
+    None where it stands for nothing.
+    """
     if (group := SYMBOLS.get(name, name)) in groups:
         return list(groups[group])
     if name in names:
@@ -342,7 +345,7 @@ def _own_members(name: str, groups: Groups, names: Sequence[str]) -> list[str]:
     link, dot, rest = name.partition(".")
     torque = rest == "tau" or rest.startswith("tau[")
     whole = [f"{link}{dot}{kind}{rest[3:]}" for kind in ("torque", "force")] if torque else [name]
-    return [x for x in names if x in whole or x.startswith(tuple(w + c for w in whole for c in ".["))]
+    return [x for x in names if x in whole or x.startswith(tuple(w + c for w in whole for c in ".["))] or None
 
 
 def checked(values: Any, name: str, size: int) -> np.ndarray:

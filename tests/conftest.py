@@ -1,5 +1,6 @@
 """What all tests share: outside tools, the summary of what they kept from running, and hypothesis' manners."""
 
+import ctypes
 import gc
 import importlib
 import os
@@ -9,6 +10,7 @@ import sys
 import tempfile
 import threading
 from collections import Counter
+from contextlib import suppress
 from pathlib import Path
 from types import ModuleType
 from typing import NoReturn
@@ -27,7 +29,8 @@ limit = [2 * GROWTH]
 frozen: list[bool] = []
 """Whether a file's tests have left what is no longer looked through, and may be of no use now."""
 STATM = Path("/proc/self/statm")
-KEEPING = ("screwgen", "helpers", "conformance")
+KEEPING = tuple(str(Path(__file__).resolve().parents[1] / name) + os.sep for name in ("screwgen", "tests"))
+"""Folders of the modules that keep what they have derived."""
 UNOPTIMISED = os.path.join(os.path.dirname(__file__), "tools", "cc")
 SLOWEST = "ella_paper guides mpc examples bench static_analysis firmware generated c_code latex_pages cli_paper".split()
 
@@ -89,7 +92,7 @@ def _bounded():
     yield
     if resident() < limit[0]:
         return
-    kept = [module for name, module in sys.modules.items() if name.partition(".")[0] in KEEPING]
+    kept = [module for module in [*sys.modules.values()] if (getattr(module, "__file__", "") or "").startswith(KEEPING)]
     for value in [value for module in kept for value in vars(module).values() if hasattr(value, "cache_clear")]:
         value.cache_clear()
     numeric._COMPILED.clear()
@@ -98,7 +101,9 @@ def _bounded():
     frozen.clear()
     gc.collect()
     gc.freeze()
-    limit[0] = resident() + GROWTH  # what is free again need not go back to the system
+    with suppress(AttributeError):  # of C libraries other than GNU's
+        ctypes.CDLL(None).malloc_trim(0)  # else what is free again need not go back to the system
+    limit[0] = max(resident() + GROWTH, 2 * GROWTH)
 
 
 def resident() -> int:

@@ -334,10 +334,7 @@ def _members(name: str, groups: Groups, further: Groups, what: str) -> list[str]
 
 
 def _own_members(name: str, groups: Groups, names: Sequence[str]) -> list[str] | None:
-    """The entries that a name stands for: a group's, its own, or all below it; `forearm.tau` are the torques there.
-
-    None where it stands for nothing.
-    """
+    """The entries of a group, the one entry, all below a name (`forearm.tau`: the torques there), or None."""
     if (group := SYMBOLS.get(name, name)) in groups:
         return list(groups[group])
     if name in names:

@@ -24,8 +24,8 @@ from .loops import COMPLIANCE, LEAST
 CHEAP = 1e-4
 """What the square of a force counts on a coordinate of the second rank, beside one of the first; on the third again."""
 DOUBLED, REPEATED = 5, 2
-"""Doublings of the number of solutions for what is left, and solutions behind them for what rounding left. A solution
-leaves a small part, but a half where modes move a loop by a hundredth of what driven axes do."""
+"""Doublings of the number of corrections, and corrections behind them for what rounding left. One leaves a small part
+of an error, but a half where modes move a loop by a hundredth of what driven axes do."""
 
 
 class Shared(NamedTuple):
@@ -61,15 +61,15 @@ def sharing(ranks: tuple[int, int, int], rows: int, dependent: bool) -> Program:
         """The solution that leaves nothing on the first coordinates, if there is one."""
         if not last:
             return x
-        own, moved = weighted[:, :last], J[:, :last].T
-        answer = lambda x: mx.solve(factor, mx.multiply(own, f[:last] - mx.multiply(moved, x)))  # noqa: E731
-        power = mx.diagonal([1.0] * rows) - mx.solve(factor, mx.multiply(own, moved))  # what a solution leaves
-        more = answer(x)
+        own, exerted = weighted[:, :last], J[:, :last].T
+        correction = lambda x: mx.solve(factor, mx.multiply(own, f[:last] - mx.multiply(exerted, x)))  # noqa: E731
+        # n corrections in a row add (1 + E + … + Eⁿ⁻¹) times the first, E what one of them leaves of an error
+        left, added = mx.diagonal([1.0] * rows) - mx.solve(factor, mx.multiply(own, exerted)), correction(x)
         for _ in range(DOUBLED):
-            more, power = more + mx.multiply(power, more), mx.multiply(power, power)
-        x = x + more
+            added, left = added + mx.multiply(left, added), mx.multiply(left, left)
+        x = x + added
         for _ in range(REPEATED):
-            x = x + answer(x)
+            x = x + correction(x)
         return x
 
     x = without(without(x, ranks[0] + ranks[1]), ranks[0])

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from .values import array, quoted, refuse, shown
+from .values import objects, quoted, refuse
 
 if TYPE_CHECKING:
     from .robot import Robot
@@ -56,11 +56,8 @@ class Input:
 
 def made_in_python(value: Any) -> tuple[Input, ...]:
     """The check of `inputs`: objects of subclasses of :class:`Input`, of which equal ones are refused."""
-    own = tuple(array(value, "an array of objects made in Python"))
+    own = objects(value, Input, "an object of a subclass of screwgen.Input")
     for k, one in enumerate(own):
-        if not isinstance(one, Input):
-            what = f"is {shown(one)}; it must be an object of a subclass of screwgen.Input; a file cannot state one"
-            raise refuse(what, (k,))
         if one in own[:k]:
             raise refuse(f"is {quoted(one.words)} again; leave one of them out", (k,))
     return own

@@ -7,7 +7,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from .values import array, quoted, refuse, shown
+from .values import objects, quoted, refuse
 
 NAME = re.compile("[a-z][a-z0-9_]*", re.IGNORECASE)
 
@@ -21,11 +21,8 @@ class Sensor:
 
 def sensors_in_python(value: Any) -> tuple[Sensor, ...]:
     """The check of `sensors`: rows of measurements with names of their own."""
-    own = tuple(array(value, "an array of objects made in Python"))
+    own = objects(value, Sensor, "a screwgen.algorithms.measurement.Measurement")
     for k, one in enumerate(own):
-        if not isinstance(one, Sensor):
-            what = f"is {shown(one)}; it must be a screwgen.algorithms.measurement.Measurement; a file cannot state one"
-            raise refuse(what, (k,))
         if not NAME.fullmatch(one.name):
             raise refuse(f"is called {quoted(one.name)}; take a name of letters, digits and '_'", (k,))
         if one.name in [other.name for other in own[:k]]:

@@ -9,9 +9,11 @@ import json
 import math
 from collections.abc import Callable
 from numbers import Integral, Real
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic_core import PydanticCustomError
+
+_T = TypeVar("_T")
 
 Path = tuple[str | int, ...]
 
@@ -127,6 +129,15 @@ def array(value: Any, what: str, *, at: Path = ()) -> list | tuple:
     if not isinstance(value, list | tuple):
         raise refuse(f"is {shown(value)}; it must be {what}", at)
     return value
+
+
+def objects(value: Any, kind: type[_T], what: str) -> tuple[_T, ...]:
+    """Objects of a class, which a `Robot` of Python holds and no file can state; `what` each must be."""
+    own = tuple(array(value, "an array of objects made in Python"))
+    for k, one in enumerate(own):
+        if not isinstance(one, kind):
+            raise refuse(f"is {shown(one)}; it must be {what}; a file cannot state one", (k,))
+    return own
 
 
 def numbers(value: Any, size: int, *, at: Path = ()) -> tuple[float, ...]:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import functools
 import math
 import re
-import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from numbers import Integral, Real
-from typing import Any, ParamSpec, TypeVar
+from typing import Any
 
 import numpy as np
 
@@ -128,25 +126,6 @@ Loads = Numbers | Sequence[Numbers] | None
 """Torques (n_tau,), or wrenches (n, 6) in rows or flat; None: all are zero."""
 Given = Numbers | Mapping[str, Any] | None
 """Values of all parameters, or of some by name; None: the robot file's."""
-
-_P = ParamSpec("_P")
-_R = TypeVar("_R")
-
-
-def parameters_keyword(function: Callable[_P, _R]) -> Callable[_P, _R]:
-    """`function`, whose argument `parameters` may still be named `p`, with a DeprecationWarning."""
-
-    @functools.wraps(function)
-    def call(*args: _P.args, **given: _P.kwargs) -> _R:
-        if "p" in given:
-            name = function.__qualname__.removesuffix(".__init__")
-            if "parameters" in given:
-                raise UsageError(f"{name}: p and parameters are both given; p is the old name, so leave it out")
-            warnings.warn(f"{name}: write parameters= in place of p=", DeprecationWarning, stacklevel=2)
-            given["parameters"] = given.pop("p")
-        return function(*args, **given)
-
-    return call
 
 
 class Parameters:

@@ -15,7 +15,7 @@ import numpy as np
 from .algorithms.dae_functions import dae_names
 from .algorithms.gauges import strain_names
 from .algorithms.scope import derived
-from .arguments import Given, parameters_keyword
+from .arguments import Given
 from .backends.numpy.loop_rows import choose_rows
 from .backends.numpy.numeric import Numeric
 from .integrators.method import Method
@@ -228,7 +228,6 @@ class RobotModel:
 
         return latex.notebook(self.robot)
 
-    @parameters_keyword
     def numpy(self, parameters: Given = None) -> Numeric:
         """The functions on NumPy arrays, at the file's parameters or at ``parameters``."""
         return Numeric(self.chain, self.chain.parameters.vector(parameters))

@@ -1,4 +1,4 @@
-"""One keyword for parameters, and the older one that calls may still use."""
+"""One keyword for parameters, wherever a function of the model takes them."""
 
 import numpy as np
 import pytest
@@ -6,8 +6,6 @@ from helpers import arm, link, model_of
 
 import screwgen
 from screwgen import UsageError
-from screwgen.simulation.controllers import Holding
-from screwgen.simulation.motion import screws, tip_deformation, tip_position
 from screwgen.studies.analysis.spectrum import Linearised, jacobian, step_map
 from screwgen.studies.modes import mode_shapes
 
@@ -22,13 +20,9 @@ ANSWERS = {
     "natural_frequencies": lambda **given: screwgen.natural_frequencies(MODEL, **given),
     "mode_shapes": lambda **given: mode_shapes(MODEL, **given).frequencies,
     "convergence": lambda **given: screwgen.convergence(MODEL, **given).alone["bending_y"],
-    "Holding": lambda **given: Holding(MODEL, **given)(X),
     "jacobian": lambda **given: jacobian(MODEL, X, X, **given),
     "step_map": lambda **given: step_map(MODEL, "rk4", X, X, 1e-3, **given),
     "Linearised": lambda **given: Linearised(MODEL, X, X, **given).vdot,
-    "screws": lambda **given: screws(MODEL, ROWS, ROWS, **given).omega,
-    "tip_position": lambda **given: tip_position(MODEL, ROWS, **given),
-    "tip_deformation": lambda **given: tip_deformation(MODEL, ROWS, **given),
 }
 """What a function says of the model with other parameters."""
 
@@ -44,22 +38,18 @@ def _prepared(**given):
 
 
 @pytest.mark.parametrize("name", ANSWERS)
-def test_parameters_may_be_named_p_with_a_warning(name):
+def test_parameters_by_name_are_those_in_their_order(name):
     values = np.array(MODEL.parameter_values) * 1.02
     values[: len(MODEL.robot.gravity)] = 1.0, 0.0, -5.0
-    wanted = ANSWERS[name](parameters=values)
-    with pytest.warns(DeprecationWarning, match="write parameters= in place of p=") as caught:
-        found = ANSWERS[name](p=values)
-    assert np.array_equal(found, wanted) and caught[0].filename == __file__
-    with pytest.raises(UsageError, match="p and parameters are both given"):
-        ANSWERS[name](p=values, parameters=values)
+    by_name = dict(zip(MODEL.chain.parameters.names, values, strict=True))
+    assert np.array_equal(ANSWERS[name](parameters=by_name), ANSWERS[name](parameters=values))
 
 
-def test_parameters_in_their_old_place_do_not_warn(recwarn):
+def test_parameters_in_their_place_are_those_by_name():
     values = np.array(MODEL.parameter_values) * 1.02
     named = screwgen.natural_frequencies(MODEL, X, parameters=values)
     assert np.array_equal(screwgen.natural_frequencies(MODEL, X, "locked", values), named)
-    assert np.array_equal(MODEL.numpy(values).p, values) and not len(recwarn)
+    assert np.array_equal(MODEL.numpy(values).p, values)
 
 
 @pytest.mark.parametrize(

@@ -141,20 +141,6 @@ def test_without_jax_there_is_one_line(monkeypatch):
         model_of(ARM).jax()
 
 
-def test_steps_take_their_arguments_in_the_older_order_with_a_warning():
-    from screwgen.backends.jax.functions import old_order_too
-
-    step = old_order_too(lambda *given, **named: (given, named))
-    p = jnp.ones(5)
-    assert step("q", "v", "tau", "w_ext", p, 1e-3) == (("q", "v", "tau", "w_ext", p, 1e-3), {})
-    for swapped in (1e-3, jnp.array(1e-3), np.float64(1e-3)):
-        with pytest.warns(DeprecationWarning, match=r"\(q, v, tau, w_ext, p, dt\)"):
-            given, _ = step("q", "v", "tau", "w_ext", swapped, p)
-        assert given[4] is p and given[5] is swapped
-    with pytest.warns(DeprecationWarning):
-        assert step("q", h=1e-3, p=p) == (("q",), {"dt": 1e-3, "p": p})
-
-
 @pytest.mark.examples
 def test_the_bench_times_equal_motions():
     *rates, apart = measured(example_file("flexible_arm"), scenarios=3, steps=4, rounds=1)

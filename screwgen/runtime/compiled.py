@@ -12,7 +12,7 @@ import numpy as np
 from ..algorithms.dae_functions import state_size, unknown_size
 from ..algorithms.robot_function import RobotFunction, entries, results
 from ..algorithms.robot_functions import SENSORS, known
-from ..arguments import Given, Loads, Numbers, array, choice, parameters_keyword, seconds, whole
+from ..arguments import Given, Loads, Numbers, array, choice, seconds, whole
 from ..errors import ScrewgenError
 from ..integrators.method import Method
 from ..integrators.methods import with_built_in
@@ -85,7 +85,6 @@ class Compiled(CompiledDerivatives):
     def __reduce__(self) -> tuple[Callable, tuple]:
         return _compiled_anew, (self.model, self._arguments, self.p)
 
-    @parameters_keyword
     def fresh(self, parameters: Given = None) -> Compiled:
         """Another instance with memory of its own in the same library, at ``parameters`` (None: the file's)."""
         out = object.__new__(Compiled)
@@ -94,7 +93,6 @@ class Compiled(CompiledDerivatives):
         out.prepare(parameters)
         return out
 
-    @parameters_keyword
     def prepare(self, parameters: Given) -> None:
         """Set the parameters (None: the robot file's values); if they are refused the previous ones remain."""
         values = None if parameters is None else self.chain.parameters.vector(parameters)

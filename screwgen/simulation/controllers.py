@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..algorithms.travels import ahead_of_joints, efforts
-from ..arguments import Numbers, parameters_keyword
+from ..arguments import Numbers
 from ..errors import SingularError, UsageError
 from ..robot_model import RobotModel
 from ..spec.ranges import within
@@ -41,7 +41,6 @@ class Holding:
 
     TOLERANCE, SETTLED, STEPS = 1e-12, 1e-9, 30
 
-    @parameters_keyword
     def __init__(self, model: RobotModel, parameters: Numbers | None = None):
         model.chain.refuse_quaternion_joints("torque that holds it against gravity", "leave out gravity compensation")
         model.chain.refuse_floating_base("torque that holds it against gravity", "leave out gravity compensation")

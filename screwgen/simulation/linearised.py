@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arguments import Numbers, parameters_keyword
+from ..arguments import Numbers
 from ..backends.numpy import prescribed
 from ..backends.numpy.braked import BalancedRates, balance
 from ..backends.numpy.dae_step import space_of
@@ -70,7 +70,6 @@ class Linearised:
     rates. Raises UsageError where arguments make no sense, SingularError where the mass matrix cannot be inverted.
     """
 
-    @parameters_keyword
     def __init__(
         self,
         model: RobotModel,

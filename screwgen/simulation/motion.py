@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..arguments import Numbers, parameters_keyword
+from ..arguments import Numbers
 from ..backends.numpy.rest_shape import bent_line, line_at_rest
 from ..bodies import markers
 from ..errors import UsageError
@@ -35,7 +35,6 @@ class Screws(NamedTuple):
     """(N, n, 3) m/s: velocity of the origin of F_i, in F_i components."""
 
 
-@parameters_keyword
 def screws(model: RobotModel, q: np.ndarray, v: np.ndarray, parameters: Numbers | None = None) -> Screws:
     """Exponential coordinates and twists of all links, (5) and (twist)."""
     q, v = _samples(model, q, "q"), _samples(model, v, "v")
@@ -179,7 +178,6 @@ def undeformed(model: RobotModel, q: np.ndarray) -> np.ndarray:
     return out
 
 
-@parameters_keyword
 def tip_deformation(model: RobotModel, q: np.ndarray, parameters: Numbers | None = None) -> np.ndarray:
     """The displacement (N, 3), m, of the last tip from its place with undeformed links at the same joint angles.
 
@@ -188,7 +186,6 @@ def tip_deformation(model: RobotModel, q: np.ndarray, parameters: Numbers | None
     return tip_position(model, q, parameters) - tip_position(model, undeformed(model, q), parameters)
 
 
-@parameters_keyword
 def tip_position(model: RobotModel, q: np.ndarray, parameters: Numbers | None = None) -> np.ndarray:
     """The last tip (N, 3), m, in the inertial frame."""
     return mapped(model.casadi()["tip_pose"], _samples(model, q, "q"), _values(model, parameters), output=1)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..arguments import Given, Numbers, choice, parameters_keyword
+from ..arguments import Given, Numbers, choice
 from ..backends.numpy.closing import closed_softly
 from ..errors import UsageError
 from ..robot_model import RobotModel
@@ -26,7 +26,6 @@ def bent(model: RobotModel, start: Numbers, found: np.ndarray) -> list[str]:
     return [model.q_names[first + k] for k in np.flatnonzero(found[first:] != before)]
 
 
-@parameters_keyword
 def assemble(
     model: RobotModel, q: Numbers | None = None, hold: Sequence[str] = (), parameters: Given = None
 ) -> np.ndarray:

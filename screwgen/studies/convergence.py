@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arguments import Given, Numbers, parameters_keyword
+from ..arguments import Given, Numbers
 from ..backends.numpy.vibrations import uncoupled, vibrations, without_rigid_motion
 from ..bases import products
 from ..errors import SingularError
@@ -46,7 +46,6 @@ class Convergence(NamedTuple):
         return direction if direction and self.alone[direction][k] < -NOTHING else None
 
 
-@parameters_keyword
 def convergence(
     model: RobotModel,
     q: Numbers | None = None,

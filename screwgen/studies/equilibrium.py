@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import notebook
 from ..algorithms.travels import efforts
-from ..arguments import Given, Numbers, parameters_keyword
+from ..arguments import Given, Numbers
 from ..backends.numpy.closing import OpenLoopError, closed_softly
 from ..errors import UsageError
 from ..lazily import linalg
@@ -99,7 +99,6 @@ class Equilibrium:
         return notebook.table(repr(self).strip("<>"), ("", "value", force), rows)
 
 
-@parameters_keyword
 def equilibrium(
     model: RobotModel,
     q: Numbers | None = None,

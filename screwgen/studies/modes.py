@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arguments import Given, Numbers, choice, parameters_keyword
+from ..arguments import Given, Numbers, choice
 from ..backends.numpy import prescribed
 from ..backends.numpy.closing import closed_softly
 from ..backends.numpy.vibrations import uncoupled, vibrations, without_rigid_motion
@@ -27,7 +27,6 @@ JOINTS = ("locked", "free")
 LOADED = "table of modes under loads or at rates", "leave these out"
 
 
-@parameters_keyword
 def natural_frequencies(
     model: RobotModel,
     q: Numbers | None = None,
@@ -88,7 +87,6 @@ class ModeShapes(NamedTuple):
         return f"{count} of {len(self.growth)} vibrations grow, the fastest as exp({fastest:.4g}/s t)"
 
 
-@parameters_keyword
 def mode_shapes(
     model: RobotModel,
     q: Numbers | None = None,

@@ -7,14 +7,12 @@ gradient of a function is NaN.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Iterable, Sequence
-from functools import cache, partial, wraps
+from functools import cache, partial
 from typing import Any
 
 import jax
 import jax.numpy as jnp
-import numpy as np
 
 from ...algorithms import fused, tip_programs
 from ...algorithms.axis_laws import of_robot
@@ -53,25 +51,10 @@ def functions(
     bodies = {"step": found[STEP], **{f"step_{name}": method for name, method in found.items()}}
     steps = {name: (STEP_INPUTS, partial(own.step, method)) for name, method in bodies.items()}
     made: dict[str, Callable] = {name: partial(own.function, *x) for name, x in own.bodies().items()}
-    made |= {name: partial(own.old_step, *x) for name, x in steps.items()}
+    made |= {name: partial(own.function, *x) for name, x in steps.items()}
     differentiated = own.functions_of_robot() | steps if by_p else {}
     slopes = {n + BY_P: partial(own.function, x, own.by_p(body, by_p)) for n, (x, body) in differentiated.items()}
     return LazyFunctions({**made, **slopes})
-
-
-def old_order_too(step: Callable) -> Callable:
-    """`step` (q, v, tau, w_ext, p, dt), which takes its arguments as (…, h, p) as well, with a DeprecationWarning."""
-
-    @wraps(step)
-    def call(*args: Any, **named: Any) -> Any:
-        swapped = len(args) == 6 and not np.ndim(args[4]) and np.ndim(args[5])
-        if swapped or "h" in named:
-            warnings.warn("steps take (q, v, tau, w_ext, p, dt), no longer (…, h, p)", DeprecationWarning, stacklevel=2)
-        if swapped:
-            args = (*args[:4], args[5], args[4])
-        return step(*args, **{"dt" if name == "h" else name: value for name, value in named.items()})
-
-    return call
 
 
 class Own:
@@ -130,10 +113,6 @@ class Own:
             wanted = f"it must be {self.sizes[name]}; take many at a time by jax.vmap"
             raise UsageError(f"{name} has the shape {out.shape}; {wanted}")
         return out
-
-    def old_step(self, inputs: str, body: Callable[[Values], Any]) -> Callable:
-        """A step as :meth:`function` makes it, which also takes the order of earlier versions."""
-        return old_order_too(self.function(inputs, body))
 
     def bodies(self) -> dict[str, tuple[str, Callable]]:
         """The inputs and the body of all but the steps, by name."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...arguments import Numbers, parameters_keyword
+from ...arguments import Numbers
 from ...errors import UsageError
 from ...robot_model import RobotModel
 from ...simulation.linearised import STILL, TOLERANCE, Law, Linearised, Parameters
@@ -20,7 +20,6 @@ def check_moves(model: RobotModel, v: np.ndarray) -> None:
             raise UsageError(f"{said}, about which steps are not linearised; give states in which it rests")
 
 
-@parameters_keyword
 def jacobian(
     model: RobotModel,
     q: Numbers,
@@ -38,7 +37,6 @@ def jacobian(
     return Linearised(model, q, v, tau, controller, w_ext, parameters).jacobian
 
 
-@parameters_keyword
 def step_map(
     model: RobotModel,
     method: str,

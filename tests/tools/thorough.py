@@ -3,8 +3,8 @@
     .venv/bin/python -m pytest -n 2 --dist worksteal -q --durations=0 -vv > build/times.txt
     python tests/tools/thorough.py build/times.txt
 
-`first`: of a function whose cases take over LONG together the first case runs; `none`: the first case takes over SLOW,
-and other functions of its file run.
+`first`: of a function whose cases take over LONG together the first case runs; `none`: a case takes over SLOW, and
+other functions of its file run, or takes over ALONE. The slice of the matrix stays whole.
 """
 
 import re
@@ -12,8 +12,9 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-LONG, SLOW = 0.4, 2.2
+LONG, SLOW, ALONE = 0.3, 0.4, 1.5
 """s"""
+WHOLE = "test_every_feature_meets_every_check"
 LINE = re.compile(r"([\d.]+)s (?:call|setup|teardown)\s+(tests/\S+?)::(\w+)(\[.*)?$")
 
 
@@ -28,7 +29,9 @@ def main(times: str) -> None:
     for (file, function), own in cases.items():
         one = sum(own.values()) / len(own)
         others = [name for path, name in cases if path == file and said.get((path, name)) != "none"]
-        if one > SLOW and len(others) > 1:
+        if function == WHOLE:
+            left += sum(own.values())
+        elif one > SLOW and (len(others) > 1 or one > ALONE):
             said[file, function] = "none"
         elif len(own) > 1 and sum(own.values()) > LONG:
             said[file, function] = "first"

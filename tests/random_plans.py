@@ -225,6 +225,7 @@ def faults(asked: Asked, plan: screwgen.MotionPlan) -> tuple[str, str]:
     broken = [f"residual {share:.1e}"] if share > 1e-3 else []
     broken += [f"{arrived.saturated} saturated"] if arrived.saturated else []
     way = np.ptp(fine[0], axis=0)
+    way[way == 0.0] = 1.0
     for name, values, size in (("rates", np.abs(fine[1]), None), ("upper", fine[0], way), ("lower", -fine[0], way)):
         if name in asked.limits:
             bound = -asked.limits[name] if name == "lower" else asked.limits[name]

@@ -158,9 +158,12 @@ def hooked():
 MADE = {"carried": carried, "hooked": hooked}
 
 
-@pytest.mark.parametrize("name", [*MADE, "space_arm", "gantry", "crane", "parallelogram"])
+POSED = ("space_arm", "gantry", "crane", "parallelogram", "finger_on_wall", "ship_crane")
+
+
+@pytest.mark.parametrize("name", [*MADE, *POSED])
 def test_poses_are_those_of_the_model(browser, tmp_path, name):
-    """Trees, loops, floating bases, slides, stations, segments, order 2, curved rods: every frame and every tip."""
+    """Trees, loops, bases that float or move, slides, stations, segments, order 2, curved rods: frames and tips."""
     model = MADE[name]() if name in MADE else screwgen.derive(screwgen.load(ROOT / "examples" / f"{name}.toml"))
     random = np.random.default_rng(1)
     base, eta = model.chain.base_q, model.chain.eta_q

@@ -17,7 +17,6 @@ from ..robot_model import RobotModel
 from ..simulation.motion import modal_columns, tip_deflections, twist
 from ..simulation.runs import Run, segments
 from ..spec.base import BASE_MOTION
-from ..spec.input import Input
 from ..spec.inputs import KIND, input_units, places
 from ..spec.modes import DIRECTIONS
 from ..spec.reduced import ELASTIC
@@ -96,6 +95,7 @@ def motion_panels(
             for x in AXIS_CURVES
             if x.array in run.arrays
         ),
+        *_by_unit(run),
         *_other_inputs(run),
         *(_tips(run, model) if model else _modes(partial(_lines, run, model, run.q, run.q_names))),
         Panel("Energy", "E", "J", energy),
@@ -113,25 +113,29 @@ def _other_inputs(run: Run) -> Iterator[Panel]:
         (TENSIONS, "Power of tendons", "P", "W", "effort_power"),
         (BASE_MOTION, "Given rates of the base's twist", "a", "rad/s², m/s²", "tau"),
         (BASE_MOTION, "Power of the base", "P", "W", "effort_power"),
-        (None, "Other inputs", "u", _unit(run), "tau"),
         (None, "Power of other inputs", "P", "W", "drive_power"),
         (None, "Power of other inputs", "P", "W", "effort_power"),
     ):
         if array in run.arrays and (kept := places(run.tau_names, row)):
-            pairs = zip(run.arrays[array][:, kept].T, _owners(run, row), strict=True)
-            yield Panel(title, symbol, unit, [PanelCurve(x, k, name) for k, (x, name) in enumerate(pairs)])
+            yield _panel_of_inputs(run, title, symbol, unit, array, kept)
 
 
-def _unit(run: Run) -> str:
-    """The unit of the other inputs; none where they have several, or where the run does not know its robot."""
+def _by_unit(run: Run) -> Iterator[Panel]:
+    """The other inputs, a panel for each of their units; of a run that does not know its robot one without a unit."""
     units = dict(zip(run.tau_names, input_units(run.robot), strict=True)) if run.robot is not None else {}
-    own = {units.get(run.tau_names[k], "") for k in places(run.tau_names, None)}
-    return own.pop() if len(own) == 1 else ""
+    of = {k: units.get(run.tau_names[k], "") for k in places(run.tau_names, None)}
+    for unit in dict.fromkeys(of.values()):
+        yield _panel_of_inputs(run, "Other inputs", "u", unit, "tau", [k for k, own in of.items() if own == unit])
 
 
-def _owners(run: Run, row: Input | None) -> list[str]:
-    """The names of the inputs of a kind without the words of the kind."""
-    return [KIND.sub("", run.tau_names[k]) for k in places(run.tau_names, row)]
+def _panel_of_inputs(run: Run, title: str, symbol: str, unit: str, array: str, kept: Sequence[int]) -> Panel:
+    pairs = zip(run.arrays[array][:, kept].T, _names(run, kept), strict=True)
+    return Panel(title, symbol, unit, [PanelCurve(x, k, name) for k, (x, name) in enumerate(pairs)])
+
+
+def _names(run: Run, kept: Sequence[int]) -> list[str]:
+    """The names of inputs without the words of their kind."""
+    return [KIND.sub("", run.tau_names[k]) for k in kept]
 
 
 def _reported(run: Run) -> Iterator[Panel]:
@@ -141,7 +145,8 @@ def _reported(run: Run) -> Iterator[Panel]:
         rows, first = run.told[name].reshape(len(run.t), -1).T, 0
         for result, signal in BY_NAME[name].results.items():
             of_links = signal.shape == ("NLINKS",)
-            shape, whole = signal.shape, {("NLINKS",): pieces, ("NTENDONS",): _owners(run, TENSIONS)}
+            tendons = _names(run, places(run.tau_names, TENSIONS))
+            shape, whole = signal.shape, {("NLINKS",): pieces, ("NTENDONS",): tendons}
             labels = whole[shape] if shape in whole else [part.lstrip("._") or result for part in PARTS[shape]]
             own = rows[first : first + len(labels)]
             whose = lambda k, a: links.index(owner(a)) if of_links else a if a in "xyz" else k  # noqa: E731, B023

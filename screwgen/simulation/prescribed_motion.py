@@ -72,10 +72,9 @@ class GivenMotion:
         q[self.of_q] = given
 
     def accelerations(self, t: float) -> np.ndarray:
-        """(k,): those over the step that begins at a time."""
+        """(k,): those over the step that begins at a time; at the end of a run those of the step that ends there."""
+        t = t if t < self.duration else max(self.duration - self.step, 0.0)
         end = min(t + self.step, self.duration)
-        if end <= t:
-            return np.zeros(len(self.of_v))
         before = self.at(t)[1]
         return (self.at(end)[1] - before) / (end - t)
 

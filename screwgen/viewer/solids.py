@@ -98,13 +98,13 @@ def solids(scene: dict[str, Any], i: int) -> Iterator[Solid]:
         yield _tube(link)
     for tendon in link["tendons"]:
         yield _thread(link, tendon, 0.25 * thin)
-    if not link["welded"] and link["screws"]:
+    if link["screws"] and not link["welded"] and not link["loose"]:
         radius, base = 1.55 * max(link["radius"], thin), np.array(link["base"])
         slide = not link["screws"][0]["turn"]
         turn = turn_along(link["screws"][0 if slide else -1]["axis"])
         shape = _box(np.array([3.0, 2.2, 2.2]) * radius) if slide else _ring(radius, radius, 3.2 * radius)
         yield _hull(base + shape @ turn.T, DARK_METAL)
-    if link["parent"] < 0 and link["moves"] != "free":
+    if link["parent"] < 0 and not link["loose"]:
         radius, up = 0.035 * size, np.array(scene["gravity"]) * (1.0 if link["hangs"] else -1.0)
         turn = turn_along(up if up.any() else np.array([0.0, 0.0, 1.0]))
         cone = _ring(1.25 * radius, 0.8 * radius, 0.9 * radius) - [

@@ -154,7 +154,7 @@ class Robot {
     [this.scene, this.palette, this.ghost, this.group, this.paints] = [scene, palette, ghost, new THREE.Group(), []];
     this.thin = Math.max(0.006 * scene.size, Math.min(...scene.links.map((x) => x.radius || Infinity)));
     this.parts = scene.links.map((link) => this.part(link));
-    this.feet = scene.links.filter((x) => x.parent < 0 && x.moves !== "free").map((link) => this.foot(link));
+    this.feet = scene.links.filter((x) => x.parent < 0 && !x.loose).map((link) => this.foot(link));
     this.lines = scene.lines.map((line) => new Line(line, scene.gravity, (color) => this.paint(color)));
     for (const line of this.lines) this.group.add(line.group);
     this.touching = scene.surfaces.map((found) => this.surface(found));
@@ -206,8 +206,8 @@ class Robot {
       skin.bends = out.uniforms;
       out.bent.push(skin);
     }
-    if (!link.welded) this.joint(link, frame);
-    if (link.screws.some((s) => s.travel)) {
+    if (!link.welded && !link.loose) this.joint(link, frame);
+    if (!link.loose && link.screws.some((s) => s.travel)) {
       out.rail = new THREE.Mesh(new THREE.CylinderGeometry(1, 1, 1, 12).translate(0, 0.5, 0), this.paint("--dark-metal"));
       this.group.add(out.rail);
     }

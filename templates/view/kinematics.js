@@ -131,8 +131,8 @@ function poses(scene, q, magnified = 1) {
     const joint = behind(from, pose(link.mount.at, link.mount.turn));
     let frame = joint;
     const turned_by = (k) => unit([q[k + 1], q[k + 2], q[k + 3], q[k]]);
-    if (link.moves === "free") frame = pose(q.slice(link.joint, link.joint + 3), turned_by(link.joint + 3));
-    if (link.moves === "ball") frame = behind(joint, pose(ORIGIN.at, turned_by(link.joint)));
+    if (link.in_space) frame = pose(q.slice(link.joint, link.joint + 3), turned_by(link.joint + 3));
+    if (link.ball) frame = behind(joint, pose(ORIGIN.at, turned_by(link.joint)));
     const axes = [];
     const stages = [frame];
     link.screws.forEach((screw, k) => {
@@ -142,7 +142,7 @@ function poses(scene, q, magnified = 1) {
       frame = behind(frame, pose(times(screw.travel * x, screw.axis), turn));
       stages.push(frame);
     });
-    if (link.moves !== "free") frame = behind(frame, pose(times(-1, link.base), ORIGIN.turn));
+    if (!link.in_space) frame = behind(frame, pose(times(-1, link.base), ORIGIN.turn));
     const coordinates = modal(link, q, magnified);
     const tip = behind(frame, section(link, link.rows - 1, coordinates));
     out.push({ frame, coordinates, joint, axes, stages, tip });

@@ -114,7 +114,8 @@ class Panel {
     pen.textAlign = "right";
     pen.textBaseline = "middle";
     for (const value of steps) {
-      pen.fillText(value.toFixed(digits).replace("-", "−"), LEFT - 7, y(value));
+      const text = value.toFixed(digits);
+      pen.fillText((text.length > 6 && value ? value.toExponential(1) : text).replace("e+", "e").replace(/-/g, "−"), LEFT - 7, y(value));
       pen.beginPath();
       pen.moveTo(LEFT, Math.round(y(value)) + 0.5);
       pen.lineTo(box.width - RIGHT, Math.round(y(value)) + 0.5);

@@ -111,11 +111,12 @@ class Panel {
     pen.lineWidth = 1;
     const steps = ticks(low, high, 4);
     const digits = Math.max(0, Math.min(6, -Math.floor(Math.log10(steps.length > 1 ? steps[1] - steps[0] : 1) + 1e-9)));
+    const large = steps.some((value) => Math.abs(value) >= 1e5);
     pen.textAlign = "right";
     pen.textBaseline = "middle";
     for (const value of steps) {
-      const text = value.toFixed(digits);
-      pen.fillText((text.length > 6 && value ? value.toExponential(1) : text).replace("e+", "e").replace(/-/g, "−"), LEFT - 7, y(value));
+      const text = large && value ? value.toExponential(1).replace("e+", "e") : value.toFixed(digits);
+      pen.fillText(text.replace("-", "−"), LEFT - 7, y(value));
       pen.beginPath();
       pen.moveTo(LEFT, Math.round(y(value)) + 0.5);
       pen.lineTo(box.width - RIGHT, Math.round(y(value)) + 0.5);

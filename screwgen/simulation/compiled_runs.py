@@ -176,7 +176,7 @@ class CompiledRuns:
         """Raise the error of step k, which is repeated by the NumPy stepper to find the reason."""
         c, task, p = self.compiled, self.task, self.table.p
         q, v = c.q.copy(), c.v.copy()
-        with at_time(task.time(k)):
+        with at_time(task.time(k)), np.errstate(all="ignore"):
             if status == LEFT:
                 raise left(self.method, self.table.watch)
             if status == OPEN:

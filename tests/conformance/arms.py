@@ -120,6 +120,9 @@ def arm_of(row: Row) -> dict:
     if row["base"] == "afloat":
         boom["joint"] = {"axes": []}
         boom["bodies"] = [*boom.get("bodies", []), HULL_BODY]
+    if row["turn"] == "ball" and row["order"] != "second order":
+        robot["links"].insert(-2, _mast(boom.pop("parent", "world"), robot["links"][-1]["joint"]))
+        boom["parent"] = "mast"
     if row["more"] == "flat":
         robot["section_rotation"] = False
     if row["closing"] == "coupling":
@@ -249,6 +252,16 @@ def _fore(row: Row) -> dict:
             joint |= {"damping": [0.3], "stiffness": [12.0]}
             joint |= {} if "rotor_inertia" in drive else {"armature": [0.06]}
     return fore | {"joint": joint}
+
+
+def _mast(carrier: str, fore: dict) -> dict:
+    """What carries a ball joint: a link with an axis, and on it what the fore's has, since places in q and v differ
+    behind a quaternion by another number than before it."""
+    own = {key: fore[key] for key in ("drives", "elements", "limits", "damping", "stiffness", "armature") if key in fore}
+    joint = {"axes": ["y"], "mount": {"xyz": [0.05, 0.02, 0.1]}} | varied(copy.deepcopy(own), np.random.default_rng(7))
+    body = {"at": "tip", "mass": 3.0, "inertia": [0.9, 1.1, 1.0, 0.0, 0.0, 0.0]}
+    section = {"rhoA": 2.2, "rhoIp": 0.02}
+    return {"name": "mast", "parent": carrier, "length": 0.25, "section": section, "joint": joint, "bodies": [body]}
 
 
 def _hand() -> dict:

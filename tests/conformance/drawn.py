@@ -66,7 +66,7 @@ def _mild(rng, row: Row, robot: dict, oracle: Oracle, state: dict) -> None:
             q[own] = rng.uniform(-ANGLE, ANGLE, 3)
         elif row["turn"] == "slide" and link["name"] == "boom":
             q[own] = rng.uniform(-0.3, 0.3, 1)
-        elif link["name"] == "fore":
+        elif link["name"] in ("fore", "mast"):
             before = q[own].copy()
             q[own] = rng.uniform(0.25, 0.5, 1) * rng.choice([-1, 1])
             _geared(oracle, state, own, before)

@@ -19,12 +19,16 @@ TERMS = 14
 
 
 def c4(x: float) -> float:
-    """``c_4(x) = sum_j (-x)^j / (4 + 2 j)!``."""
+    """``c_4(x) = sum_j (-x)^j / (4 + 2 j)!``; NaN of an angle that is not finite, where Python's cosine raises."""
+    if not x < math.inf:
+        return math.nan
     return series(4, x) if x < LIMIT else (math.cos(math.sqrt(x)) - 1.0 + x / 2.0) / (x * x)
 
 
 def c5(x: float) -> float:
     """``c_5(x) = sum_j (-x)^j / (5 + 2 j)!``."""
+    if not x < math.inf:
+        return math.nan
     if x < LIMIT:
         return series(5, x)
     s = math.sqrt(x)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from conformance.c_prototypes import Argument, Prototype, _preprocessed, prototypes
 
-SCRATCH = ("work", "chain", "mpc")
+SCRATCH = ("work", "chain", "mpc", "acting")
 """The ends of the names of types that are memory of a function, not its result."""
 OTHERS = ("batch",)
 """Those whose members point elsewhere."""

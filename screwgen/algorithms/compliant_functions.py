@@ -49,6 +49,7 @@ class CompliantFunctions:
     apply: Apply
     forward: Callable[..., tuple[list, list]]
     under_inputs: Callable[[Sequence], Any]
+    falling: Callable[[Sequence], Any]
     braked: Callable[[Sequence], Any]
     loop_state: Callable[..., loops.LoopState]
     chosen: Sequence
@@ -81,7 +82,7 @@ class CompliantFunctions:
         ``terms``: :meth:`row_terms` at the start, ``h`` s before; ``ahead``: 1 at a stage ahead of it, 0 at the start.
         """
         closing, soft = self.chain.closing.rows, self.chain.compliant
-        state = self.loop_state(q, v, [*closing, *(one.closing for one in soft)], self._lines)
+        state = self.loop_state(q, v, [*closing, *(one.closing for one in soft)], self.falling(tau)._lines)
         given = loops.Loads(tau, self.under_inputs(tau).with_forces(q, v, w_ext))
         links, places = self.forward(q, v, *given)
         moved, drifts = state.accelerations(links, places), state.drifts(places)[len(closing) :]

@@ -107,7 +107,7 @@ class InputFunctions:
                 told[row] = [x * rate for x, rate in zip(values, v, strict=False)]
             elif row not in told:
                 forces = self._exerted(row, q, v)
-                told[row] = [x * mx.dot(force, v) for x, force in zip(values, forces, strict=True)]
+                told[row] = [x * mx.dot(force, v[: self.chain.nv]) for x, force in zip(values, forces, strict=True)]
         return [x for row in self.chain.inputs for x in told[row]]
 
     def drive_efforts(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:

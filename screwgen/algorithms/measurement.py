@@ -23,6 +23,7 @@ from ..ir.program import Node, Program, Value
 from ..joints.exponential import angular_velocity, rotated
 from ..spec.sensor import Sensor
 from ..topology.chain import Chain
+from . import felt
 from . import matrices as mx
 from .functions import PLACES, Functions
 from .fused import fuse, inputs
@@ -317,12 +318,12 @@ NOTHING = Further({}, lambda f, x, expected: [])
 
 def comparison(row: Measurement, chain: Chain, constants: str = "parameters", further: Further = NOTHING) -> Comparison:
     """Of a row that has entries, for a robot. ``constants`` as :func:`.fused.fuse` has them."""
-    given = inputs(chain, row.inputs) | {number.keyword: number.size(chain) for number in row.numbers}
+    given = inputs(chain, felt.reads(row, chain)) | {number.keyword: number.size(chain) for number in row.numbers}
     spans: list[tuple[int, int]] = []
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
         own = {name: x[name] for name in given}
-        expected = row.value(f, **own)
+        expected = felt.expected(row, f, own)
         by_q, by_v, by_vdot = row.slopes(f, own, expected)
         n = row.size(chain)
         still = [[0.0] * n for _ in range(chain.nvz)]

@@ -8,6 +8,7 @@ from ..ir.derivative import tangents
 from ..ir.program import Node, Program, Value
 from ..spec.parameters import parameters
 from ..topology.chain import Chain
+from .felt import expected, reads
 from .functions import Functions
 from .fused import Outputs, fuse, inputs
 from .measurement import Columns, Further, Measurement
@@ -19,15 +20,15 @@ def expected_along(row: Measurement, chain: Chain, chosen: Sequence[int]) -> Pro
 
     ``d_p``: the change of the chosen parameters, ``d_vdot`` (nvz): that of the accelerations, of rows that read these.
     """
-    given = inputs(chain, row.inputs) | {x.keyword: x.size(chain) for x in row.numbers if x.stated}
+    given = inputs(chain, reads(row, chain)) | {x.keyword: x.size(chain) for x in row.numbers if x.stated}
     derived = {x.keyword: x.start for x in row.numbers if callable(x.start)}
     moved = {"p": chosen, **({"vdot": range(chain.nvz)} if "vdot" in given else {})}
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> Outputs:
         follow = {name: start(chain, x["p"]) for name, start in derived.items()}
-        expected = row.value(f, **{name: x[name] for name in given}, **follow)
+        found = expected(row, f, {name: x[name] for name in given} | follow)
         seeds = [(x[name][k], d) for name, own in moved.items() for k, d in zip(own, x[f"d_{name}"], strict=True)]
-        slopes = tangents(row.innovation(x["measured"], expected), {a: d for a, d in seeds if isinstance(a, Node)})
+        slopes = tangents(row.innovation(x["measured"], found), {a: d for a, d in seeds if isinstance(a, Node)})
         return {"slope": [-x for x in slopes]}
 
     sizes = given | {"measured": row.n_values(chain), "p": len(parameters(chain.robot))}

@@ -18,7 +18,7 @@ from .functions import CYLINDERS, Functions
 from .gauges import Gauge, curvatures, gauges
 from .input_functions import LENGTHS
 from .marker_functions import ACCELERATING, GIVEN_MOTION, MOVING, PLACED
-from .measurement import AtMarkers, Attitude, Measurement, SensorNumber, Told, every_robot, root
+from .measurement import AtMarkers, Attitude, Measurement, SensorNumber, Told, root
 from .robot_function import OUTPUTS
 from .signals import TWIST
 
@@ -159,14 +159,11 @@ AT_MARKERS: tuple[Measurement, ...] = (
     ),
     Measurement(
         *("accelerometer", "q v vdot", sensors.felt, AXES, "m/s^2", FELT, (ACCELERATING,)),
-        offered=lambda chain: not chain.falls,
-        missing="an input that changes free fall, which accelerometers do not feel yet",
         told=Told(
             "a",
             "acceleration of every marker less that of free fall",
             "What accelerometers at the markers read: at rest gravity, upwards; in free fall nothing.",
             MARKER,
-            offered=every_robot,
         ),
     ),
     Measurement(

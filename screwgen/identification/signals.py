@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algorithms import fused
+from ..algorithms import felt, fused
 from ..algorithms.functions import PLACES
 from ..algorithms.gauges import gauges
 from ..algorithms.measurement import Attitude, CyclicAngle, Measurement
@@ -137,8 +137,8 @@ class Signals:
         if row is None:
             body = lambda f, x: {"value": list(f.poses(x["q"])[1][chain.last][1])}  # noqa: E731
             return fused.fuse(chain, "tip", fused.inputs(chain, "q"), body, algorithms=[PLACES])
-        sizes = fused.inputs(chain, row.inputs) | {x.keyword: x.size(chain) for x in row.numbers}
-        body = lambda f, x: {"value": list(row.value(f, **{name: x[name] for name in sizes}))}  # noqa: E731
+        sizes = fused.inputs(chain, felt.reads(row, chain)) | {x.keyword: x.size(chain) for x in row.numbers}
+        body = lambda f, x: {"value": list(felt.expected(row, f, {name: x[name] for name in sizes}))}  # noqa: E731
         return fused.fuse(chain, row.name, sizes, body, algorithms=row.algorithms)
 
     @cached_property

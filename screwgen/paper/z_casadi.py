@@ -30,7 +30,8 @@ def z_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
     ``exponential (theta) -> (R, J, J_inverse)``: 3, rad -> 3 x 3; ``R`` takes F_i to inertial components,
     ``omega = J thetadot`` in F_i, (jacobian); ``J_inverse`` is infinite from ``|theta| = 2 pi`` on.
     ``cauchy_state (q, v, p) -> (x_c)``, (109): 12 n + 2 sum(r); rad, m, rad/s, m/s in F_i, all coordinates as input.
-    ``z_form (x_c, q, p) -> (T_gamma, Gamma_star, h_Ms, M_dyn, h_dyn)``, (MsPsi), (HMs), (97): 12 n (square), sparse.
+    ``z_form (x_c, q, p) -> (T_gamma, Gamma_star, h_Ms, M_dyn, h_dyn)``, (MsPsi), (HMs), (97): 12 n (square), sparse;
+    of ``(x_c, q, tau, p)`` where inputs change free fall.
     ``assemble_z (x_c, q, tau, w_ext, p) -> (M_sys, H_sys, W_sys)``, (98)-(100): 12 n + sum(r) (square), sparse, the
     unknowns ``[w_1; Zdot_1; ...; w_n; Zdot_n; etaddot]``.
     ``cauchy (x_c, q, tau, w_ext, p) -> (A_c, g_c, qdot, wrench)``, (110), (111) with E18: ``x_c``'s rate is
@@ -39,7 +40,7 @@ def z_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
     given = {"x_c": ca.SX.sym("x_c", z.cauchy_size(chain)), "q": ca.SX.sym("q", chain.n_joints)}
     given |= symbols(chain, "tau w_ext p")
     placed = symbols(chain, "q v p")
-    short = {name: given[name] for name in ("x_c", "q", "p")}
+    short = {name: given[name] for name in ("x_c", "q", *["tau"] * chain.falls, "p")}
     assembled = cache(lambda: _assembled(chain, given))
     return {
         "exponential": _exponential,

@@ -76,7 +76,8 @@ class ZFunctions(DaeFunctions):
     def _links(
         self, algorithm: Algorithm, state: Sequence[Mapping], tau: Sequence, w_ext: Sequence
     ) -> list[dict[str, list]]:
-        return self._run(algorithm, state, self.of_links(tau), self._wrenches(w_ext), self._gravity())[0]
+        falling = self.falling(tau)
+        return falling._run(algorithm, state, self.of_links(tau), self._wrenches(w_ext), falling._gravity())[0]
 
     def assemble_z(
         self, x_c: Sequence, q: Sequence, tau: Sequence, w_ext: Sequence
@@ -98,7 +99,7 @@ class ZFunctions(DaeFunctions):
 
 
 def _inputs(chain: Chain) -> dict[str, int]:
-    return {"x_c": cauchy_size(chain), "q": chain.n_joints, "tau": chain.n_joints, "w_ext": 6 * chain.n}
+    return {"x_c": cauchy_size(chain), "q": chain.n_joints, "tau": chain.n_tau, "w_ext": 6 * chain.n}
 
 
 def _gathered(links: Sequence[Mapping[str, list]], *names: str) -> list:

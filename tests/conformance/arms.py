@@ -257,7 +257,9 @@ def _fore(row: Row) -> dict:
 def _mast(carrier: str, fore: dict) -> dict:
     """What carries a ball joint: a link with an axis, and on it what the fore's has, since places in q and v differ
     behind a quaternion by another number than before it."""
-    own = {key: fore[key] for key in ("drives", "elements", "limits", "damping", "stiffness", "armature") if key in fore}
+    own = {
+        key: fore[key] for key in ("drives", "elements", "limits", "damping", "stiffness", "armature") if key in fore
+    }
     joint = {"axes": ["y"], "mount": {"xyz": [0.05, 0.02, 0.1]}} | varied(copy.deepcopy(own), np.random.default_rng(7))
     body = {"at": "tip", "mass": 3.0, "inertia": [0.9, 1.1, 1.0, 0.0, 0.0, 0.0]}
     section = {"rhoA": 2.2, "rhoIp": 0.02}

@@ -223,3 +223,18 @@ def test_cauchy_form_integrates_to_the_joint_forms_state(name):
     scale = np.maximum(1.0, np.abs(expected))
     assert np.max(np.abs(reached[:size] - expected) / scale) <= 1e-6
     assert np.allclose(reached[size:], end[0][:m], atol=1e-6)
+
+
+def test_tendons_pull_in_it():
+    """Their tensions are inputs behind the torques; modes accelerate as the joint form says."""
+    tendon = {"name": "flexor", "at": [[0.0, 0.02, 0.01], [0.0, 0.01, 0.0]]}
+    bends = {"modes": {"bending_y": 1, "bending_z": 1}, "section": {"EIy": 300.0, "EIz": 200.0}, "tendons": [tendon]}
+    model = model_of(arm(link("upper", axes="z", **bends), link("fore", 0.4, "y")))
+    f, p, w_ext = model.casadi(), model.parameter_values, np.ones((6, 2))
+    q, v = [0.3, -0.4, 0.01, 0.02], [0.1, 0.2, 0.3, -0.1]
+    for tension in (0.0, 50.0):
+        tau = [0.5, 0.2, tension]
+        M, H, W = (x.full() for x in f["assemble_z"](f["cauchy_state"](q, v, p), q[:2], tau, w_ext, p))
+        modal = np.linalg.solve(M, W - H).ravel()[-2:]
+        expected = model.numpy().forward_dynamics(q, v, tau, w_ext.T)[0][2:]
+        assert modal == pytest.approx(expected, rel=1e-10)

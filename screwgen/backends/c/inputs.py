@@ -44,6 +44,7 @@ def scratch(chain: Chain) -> dict[str, Signal]:
 
 def note(chain: Chain) -> str:
     """What is added to the comment of ``tau``."""
-    made = "".join(f"; then {row.words}" for row in chain.other_inputs if not row.signal)
+    rows = (row for row in chain.other_inputs if not row.signal)
+    made = "".join(f"; then {row.words}{', m/s^2' * (row.free_fall is not None)}" for row in rows)
     base = "; then the rate of the base's twist, which is given" if chain.moving else ""
     return tendons.note(chain) + brakes.note(chain) + base + made

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from functools import partial
 
 import casadi as ca
@@ -12,6 +13,7 @@ from fmi_units import Unit
 from helpers import model_of
 
 import screwgen
+from screwgen import LoopWarning
 from screwgen.backends.numpy.compliant import settled
 from screwgen.integrators.methods import BUILT_IN
 from screwgen.simulation.linearised import Linearised
@@ -298,3 +300,17 @@ def test_derivatives_of_a_step_beside_a_rigid_loop(method):
     at, size = np.concatenate([q, v, tau]), 1e-6
     differences = np.array([(step(at + e) - step(at - e)) / (2 * size) for e in size * np.eye(len(at))]).T
     assert np.hstack([A, B]) == pytest.approx(differences, abs=1e-7 * np.abs(differences).max())
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_energy_that_many_steps_gain_is_said(backend):
+    """None of them is far off, and the loop stays closed: steps of first order gain it bit by bit."""
+    model = model_of(pendulum())
+    start = dict(q0=hanging(0.5), backend=backend, every=20)
+    with pytest.warns(LoopWarning, match=r"by t = \S+ s steps have gained \d\d % of the largest kinetic energy out of"):
+        run = screwgen.simulate(model, 8.0, 4e-3, integrator="modal_implicit", **start)
+    total = run.energy.sum(axis=1)
+    assert total[-1] - total[0] > 0.05 * run.energy[:, 0].max()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", LoopWarning)
+        screwgen.simulate(model, 8.0, 4e-3, **start)

@@ -24,6 +24,9 @@ WARNED = 1e-3
 ERROR = 1e-2
 """The error of a step's energy, or of all steps, over the largest kinetic energy of the run, worth a warning."""
 
+GAINED = 5e-2
+"""The energy that a run gains out of nothing, over its largest kinetic energy, worth a warning."""
+
 
 class LoopWarning(UserWarning):
     """Loops that open in a run, or steps that lose energy at them; the text is one line."""
@@ -42,12 +45,14 @@ class LoopRecord(ctypes.Structure):
 
     `most`: the mismatch at which the run ends; `mismatch`, `at`, `which`: the largest so far, when, s, and of which
     loop; `total`: the energy after the last step, J, not a number before the first; `kinetic`: the largest kinetic
-    energy; `error`, `when`: of the step whose energy is farthest from that of several shorter ones; `sum`: of these.
+    energy; `error`, `when`: of the step whose energy is farthest from that of several shorter ones; `sum`: of these;
+    `balance`: the energy that steps without wrenches on tips have gained besides the work of the inputs, `gained` and
+    `by`: the most of it, and when.
     """
 
     _fields_ = (
         *((name, PAIR) for name in ("most", "mismatch", "at", "which")),
-        *((name, ctypes.c_double) for name in ("total", "kinetic", "error", "when", "sum")),
+        *((name, ctypes.c_double) for name in ("total", "kinetic", "error", "when", "sum", "balance", "gained", "by")),
     )
 
 
@@ -81,8 +86,11 @@ class LoopWatch:
             kinetic, potential = energy()
             self.seen.total, self.seen.kinetic = kinetic + potential, kinetic
 
-    def weigh(self, t: float, energy: np.ndarray, work: float, again: Callable[[], np.ndarray]) -> None:
-        """Note the energy after a step over which the inputs do `work`; `again` gives that after shorter ones."""
+    def weigh(self, t: float, energy: np.ndarray, work: float, again: Callable[[], np.ndarray], alone: bool) -> None:
+        """Note the energy after a step over which the inputs do `work`; `again` gives that after shorter ones.
+
+        `alone`: nothing else does work.
+        """
         seen, total = self.seen, float(np.sum(energy))
         seen.kinetic = max(seen.kinetic, energy[0])
         if abs(total - seen.total - work) > CHANGE * seen.kinetic:
@@ -90,6 +98,9 @@ class LoopWatch:
             seen.sum += error
             if error > seen.error:
                 seen.error, seen.when = error, t
+        seen.balance += total - seen.total - work if alone else 0.0
+        if seen.balance > seen.gained:
+            seen.gained, seen.by = seen.balance, t
         seen.total = total
 
     def opened(self) -> OpenedError:
@@ -118,9 +129,19 @@ class LoopWatch:
 
     def _losing(self) -> str:
         one, all_of_it = (x > ERROR * self.seen.kinetic for x in (self.seen.error, self.seen.sum))
+        if not one and (said := self._gaining()):
+            return said
         if not all_of_it:
             return ""
         what = f"at t = {self.seen.when:.3g} s a step gets" if one else "steps get"
         part = (self.seen.error if one else self.seen.sum) / self.seen.kinetic
         share = f"{100 * part:.2g} % of the largest kinetic energy{'' if one else ' in all'}"
         return f"{what} the energy wrong by {share}, which happens where loops are nearly singular; take a smaller step"
+
+    def _gaining(self) -> str:
+        """Dampers take energy, and no step may give any: what a long run gains comes from steps of low order."""
+        part = self.seen.gained / (self.seen.kinetic or 1.0)
+        if not part > GAINED:
+            return ""
+        share = f"{100 * part:.2g} % of the largest kinetic energy out of nothing"
+        return f"by t = {self.seen.by:.3g} s steps have gained {share}; take a smaller step, or a higher order"

@@ -200,7 +200,8 @@ class Recorder:
         told, more = ("effort_power", (given, w_ext)) if "effort_power" in self.reports else ("drive_power", (given,))
         power = sum(float(np.sum(reported(told, x, *more))) for x in (before, after)) / 2
         self.table.loops.begin(lambda: energy(before))
-        self.table.loops.weigh(t, energy(after), power * dt, again)
+        alone = not (np.any(w_ext) or self.table.model.chain.n_internal)
+        self.table.loops.weigh(t, energy(after), power * dt, again, alone)
 
     def check(self) -> None:
         """Raise SingularError if a joint wrench is not finite."""

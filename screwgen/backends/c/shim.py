@@ -54,6 +54,7 @@ def shims(project: CProject) -> dict[str, str]:
         views=views(chain),
         parts=PARTS,
         change=literal(CHANGE),
+        remembering=bool(chain.n_internal),
         row=[("&t", "1"), *where, *told],
         computed=[*where[3:], *told],
         given=[*where[:3], ("m->input.w_ext[0]", "6 * $$_NLINKS")],

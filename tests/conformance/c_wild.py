@@ -21,7 +21,12 @@ DRIVER = Path(__file__).parents[1] / "c" / "wild.h"
 
 
 BATCH = """
-static real batch_q[@@_NQ + 1][SCENARIOS], batch_v[@@_NV + 1][SCENARIOS], batch_tau[@@_NTAU + 1][SCENARIOS];
+#ifdef @@_NVZ
+#define RATES @@_NVZ /* internal states stand behind the rates */
+#else
+#define RATES @@_NV
+#endif
+static real batch_q[@@_NQ + 1][SCENARIOS], batch_v[RATES + 1][SCENARIOS], batch_tau[@@_NTAU + 1][SCENARIOS];
 static int batch_status[SCENARIOS], batch_fault[SCENARIOS];
 
 static void set_batch(@_batch *b)
@@ -44,7 +49,7 @@ static void see_batch(int status)
 {
     int i, k;
     for (i = 0; i < SCENARIOS; ++i) {
-        for (k = 0; k < @@_NQ + @@_NV; ++k) {
+        for (k = 0; k < @@_NQ + RATES; ++k) {
             const real x = k < @@_NQ ? batch_q[k][i] : batch_v[k - @@_NQ][i];
             expect(status != 0 || last_whole == 0 || batch_status[i] != 0 || isfinite(x), "scenario not finite", i);
         }

@@ -70,6 +70,11 @@ REFUSALS: tuple[Refusal, ...] = (
         large=True,
     ),
     Refusal(
+        *("modes", ("exact rod", "rope"), "find no steady deflection"),
+        why="a rope that is long drawn bends an exact rod farther than the search follows",
+        large=True,
+    ),
+    Refusal(
         *("modes", ("second order", "rope"), "is not positive definite"),
         why="without gravity the rope bends a link of second order farther than its model goes",
         large=True,

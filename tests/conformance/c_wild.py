@@ -21,12 +21,7 @@ DRIVER = Path(__file__).parents[1] / "c" / "wild.h"
 
 
 BATCH = """
-#ifdef @@_NVZ
-#define RATES @@_NVZ /* internal states stand behind the rates */
-#else
-#define RATES @@_NV
-#endif
-static real batch_q[@@_NQ + 1][SCENARIOS], batch_v[RATES + 1][SCENARIOS], batch_tau[@@_NTAU + 1][SCENARIOS];
+static real batch_q[@@_NQ + 1][SCENARIOS], batch_v[@@_RATES + 1][SCENARIOS], batch_tau[@@_NTAU + 1][SCENARIOS];
 static int batch_status[SCENARIOS], batch_fault[SCENARIOS];
 
 static void set_batch(@_batch *b)
@@ -49,7 +44,7 @@ static void see_batch(int status)
 {
     int i, k;
     for (i = 0; i < SCENARIOS; ++i) {
-        for (k = 0; k < @@_NQ + RATES; ++k) {
+        for (k = 0; k < @@_NQ + @@_RATES; ++k) {
             const real x = k < @@_NQ ? batch_q[k][i] : batch_v[k - @@_NQ][i];
             expect(status != 0 || last_whole == 0 || batch_status[i] != 0 || isfinite(x), "scenario not finite", i);
         }
@@ -70,7 +65,9 @@ def program(folder: Path, name: str) -> str:
     lines += [f"static {kind} *{_variable(kind, name)};" for kind in kinds]
     lines += ["", *_reset(name, kinds, texts), "", *_vary(name, kinds, texts), ""]
     if f"{name}_batch" in kinds:
-        lines += [line.replace("@@", name.upper()).replace("@", name) for line in BATCH.splitlines()]
+        rates = "NVZ" if re.search(rf"\b{name.upper()}_NVZ\b", texts) else "NV"  # internal states stand behind them
+        batch = BATCH.replace("RATES", rates).replace("@@", name.upper()).replace("@", name)
+        lines += batch.splitlines()
     for number, function in enumerate(found):
         lines += _call(number, function, name)
     lines += ["static void (*const CALLS[])(void) = {", *(f"    call_{k}," for k in range(len(found))), "};", ""]

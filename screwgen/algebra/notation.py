@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
+from ..digits import telling
 from ..lazily import sp
 from .expression import (
     BlockMatrix,
@@ -48,10 +49,6 @@ def terms(e: Expression) -> list[str]:
     return [latex(first)] + [f"{'-' if negative else '+'} {_term(t)}" for negative, t in map(_signed, rest)]
 
 
-ENOUGH = (15, 16)
-"""Digits that tell some numbers in double precision from all others; all are told by one more."""
-
-
 def number(value: sp.Expr, digits: int = 6) -> str:
     """A number with at most so many significant digits, or a multiple of π: 0.3, not 0.29999999999999999."""
     if value.has(sp.pi):
@@ -60,8 +57,7 @@ def number(value: sp.Expr, digits: int = 6) -> str:
         sign, top, below = "-" if value < 0 else "", abs(value.p), value.q
         return f"{sign}{top}" if below == 1 else rf"{sign}\tfrac{{{top}}}{{{below}}}"
     x = float(value)
-    shown = next((k for k in ENOUGH if k < digits and float(f"{x:.{k}g}") == x), digits)
-    mantissa, _, exponent = f"{x:.{shown}g}".partition("e")
+    mantissa, _, exponent = f"{x:.{telling(x, digits)}g}".partition("e")
     return mantissa + (rf"\times 10^{{{int(exponent)}}}" if exponent else "")
 
 

@@ -1,4 +1,4 @@
-"""What sensors of acceleration feel: free fall as inputs make it."""
+"""What sensors of acceleration feel: the acceleration less that of free fall, which inputs may change."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def reads(row: Measurement, chain: Chain) -> str:
-    """What a row is computed from: inputs too where these change the free fall that accelerations are less."""
+    """The arguments from which a row is computed: `tau` too, where inputs change free fall and the row reads `vdot`."""
     own = row.inputs.split()
     return f"{row.inputs} tau" if chain.falls and "vdot" in own and "tau" not in own else row.inputs
 

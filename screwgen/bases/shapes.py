@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 
+from ..digits import telling
 from ..lazily import mpmath
 from .closed_form import ClosedForm, inner, polynomial_form
 
@@ -164,6 +165,5 @@ def to_the_end(pieces: Sequence[Sequence[mpmath.mpf]], sizes: Sequence[mpmath.mp
 
 def latex_number(value: mpmath.mpf, digits: int = 7) -> str:
     """`value` in LaTeX, rounded to that many significant digits, or to as few as tell it among doubles."""
-    shown = next((k for k in (15, 16) if k < digits and float(mpmath.nstr(value, k)) == float(value)), digits)
-    mantissa, _, exponent = mpmath.nstr(value, shown, min_fixed=-3, max_fixed=7).partition("e")
+    mantissa, _, exponent = mpmath.nstr(value, telling(float(value), digits), min_fixed=-3, max_fixed=7).partition("e")
     return mantissa + (rf"\times 10^{{{int(exponent)}}}" if exponent else "")

@@ -72,7 +72,7 @@ class GivenMotion:
         q[self.of_q] = given
 
     def accelerations(self, t: float) -> np.ndarray:
-        """(k,): those over the step that begins at a time; at the end of a run those of the step that ends there."""
+        """(k,): those over the step that begins at a time; at the end of a run those over the last of it."""
         t = t if t < self.duration else max(self.duration - self.step, 0.0)
         end = min(t + self.step, self.duration)
         before = self.at(t)[1]

@@ -142,7 +142,7 @@ class State:
             axis.tau = x
         self.tensions = tau[len(axes) :]
         for row in self.reading.document.table(r"in $\mathbf{u}$"):
-            if row[2].startswith("`base."):
+            if row[2].startswith("`base.twist_rate"):
                 first, last = (int(x) for x in row[0].split("–"))
                 self.given_base = {row[1].strip("$"): np.reshape(tau[first - 1 : last], (-1, 1))}
             for axis in axes:
@@ -176,7 +176,7 @@ class State:
             r"\dot{\mathbf{q}}_i": column(self.v[i]),
             r"\boldsymbol{\eta}_i": column(self.eta[i]),
             r"\dot{\boldsymbol{\eta}}_i": column(self.rate[i]),
-            r"\mathbf{g}": self.reading.gravity,
+            **self._free_fall(),
         }
         if count > 1 and "l_{0,i}" in own:
             given["l_i"] = np.full((1, 1), own["l_{0,i}"] / count)
@@ -189,6 +189,14 @@ class State:
         if any(part.title == "Section of the rod" for part in link.parts):
             scope.given |= {plain(n): x for n, x in exact_rod(scope, link.parts, 1.0, link.segment).items()}
         return scope
+
+    def _free_fall(self) -> dict[str, Value]:
+        """That of the robot, or where the algorithm adds inputs to it what it is made of."""
+        if not any(left == r"\mathbf{g}" for left, *_ in self.reading.document.theory):
+            return {r"\mathbf{g}": self.reading.gravity}
+        rows = [row for row in self.reading.document.table(r"in $\mathbf{u}$") if "–" not in row[0]]
+        entries = {row[1].strip("$"): np.full((1, 1), self.tau[int(row[0]) - 1]) for row in rows}
+        return {r"\mathbf{g}_0": self.reading.gravity} | entries
 
     def _carrier(self, link: Link) -> Scope:
         if link.parent < 0:

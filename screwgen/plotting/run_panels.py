@@ -16,8 +16,7 @@ from ..errors import UsageError, one_line
 from ..robot_model import RobotModel
 from ..simulation.motion import modal_columns, tip_deflections, twist
 from ..simulation.runs import Run, segments
-from ..spec.base import BASE_MOTION
-from ..spec.inputs import KIND, input_units, places
+from ..spec.inputs import KIND, OTHERS, input_units, places
 from ..spec.modes import DIRECTIONS
 from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
@@ -95,7 +94,6 @@ def motion_panels(
             for x in AXIS_CURVES
             if x.array in run.arrays
         ),
-        *_by_unit(run),
         *_other_inputs(run),
         *(_tips(run, model) if model else _modes(partial(_lines, run, model, run.q, run.q_names))),
         Panel("Energy", "E", "J", energy),
@@ -106,26 +104,19 @@ def motion_panels(
 
 
 def _other_inputs(run: Run) -> Iterator[Panel]:
-    """The inputs that are no link's, and their power."""
-    for row, title, symbol, unit, array in (
-        (TENSIONS, "Tensions of tendons", "T", "N", "tau"),
-        (TENSIONS, "Power of tendons", "P", "W", "drive_power"),
-        (TENSIONS, "Power of tendons", "P", "W", "effort_power"),
-        (BASE_MOTION, "Given rates of the base's twist", "a", "rad/s², m/s²", "tau"),
-        (BASE_MOTION, "Power of the base", "P", "W", "effort_power"),
-        (None, "Power of other inputs", "P", "W", "drive_power"),
-        (None, "Power of other inputs", "P", "W", "effort_power"),
-    ):
-        if array in run.arrays and (kept := places(run.tau_names, row)):
-            yield _panel_of_inputs(run, title, symbol, unit, array, kept)
-
-
-def _by_unit(run: Run) -> Iterator[Panel]:
-    """The other inputs, a panel for each of their units; of a run that does not know its robot one without a unit."""
-    units = dict(zip(run.tau_names, input_units(run.robot), strict=True)) if run.robot is not None else {}
-    of = {k: units.get(run.tau_names[k], "") for k in places(run.tau_names, None)}
-    for unit in dict.fromkeys(of.values()):
-        yield _panel_of_inputs(run, "Other inputs", "u", unit, "tau", [k for k, own in of.items() if own == unit])
+    """The inputs that are no axis', a panel for each of their units, and their power."""
+    names = run.tau_names
+    units = dict(zip(names, input_units(run.robot), strict=True)) if run.robot is not None else {}
+    of_axes = {x.word.strip(".[") for x in AXIS_CURVES}
+    for row in (*(row for row in OTHERS if row.kinds and not of_axes & {*row.kinds}), None):
+        kept = places(names, row)
+        title, letter = (row.title or row.words.capitalize(), row.letter) if row else ("Other inputs", "u")
+        of = {k: units.get(names[k], "") for k in kept}
+        for unit in dict.fromkeys(of.values()):
+            yield _panel_of_inputs(run, title, letter, unit, "tau", [k for k, own in of.items() if own == unit])
+        for array in ("drive_power", "effort_power"):
+            if kept and array in run.arrays:
+                yield _panel_of_inputs(run, f"Power of {row.words if row else 'other inputs'}", "P", "W", array, kept)
 
 
 def _panel_of_inputs(run: Run, title: str, symbol: str, unit: str, array: str, kept: Sequence[int]) -> Panel:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
-from .input import Input
+from .input import Input, InputLine
 from .joint import Joint
 from .parents import Named, parents
 from .values import refuse
@@ -26,6 +26,11 @@ TWIST = ("omega_x", "omega_y", "omega_z", "v_x", "v_y", "v_z")
 HOME = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 """The pose in which F_1 is the inertial frame."""
 
+EFFORT_UNITS = ("N·m",) * 3 + ("N",) * 3
+"""What moves a base whose motion is given: moment and force at the origin of F_1, in its axes."""
+GIVEN_RATE = r"\dot{\mathbf{V}}_g"
+"""What documents call the rate of its twist."""
+
 
 class BaseMotion(Input):
     """The accelerations of a base whose motion is given: the rates of its twist, in axes of F_1."""
@@ -34,6 +39,8 @@ class BaseMotion(Input):
     kinds = ("twist_rate",)
     own = "twist_"
     signal = "base_rate"
+    title = "Given rates of the base's twist"
+    letter = "a"
 
     def names(self, robot: Robot) -> list[str]:
         return [f"base.twist_rate[{k}]" for k in range(6)] if robot.base == MOVING else []
@@ -41,13 +48,19 @@ class BaseMotion(Input):
     def units(self, robot: Robot) -> list[str]:
         return ["rad/s²"] * 3 + ["m/s²"] * 3 if robot.base == MOVING else []
 
+    def efforts(self, robot: Robot) -> list[tuple[str, str]]:
+        count = len(self.names(robot))
+        return [(f"base.twist_effort[{k}]", unit) for k, unit in enumerate(EFFORT_UNITS[:count])]
+
+    def lines(self, chain: Any, first: int) -> list[InputLine]:
+        about = r"the base, whose motion is given: the rate of its twist, in axes of $\mathcal{F}_1$"
+        return [InputLine(GIVEN_RATE, about, 6)]
+
     def of_links(self, chain: Any) -> list[list[int]]:
         return [list(range(6)), *([] for _ in range(1, chain.n))]
 
 
 BASE_MOTION = BaseMotion()
-EFFORT_UNITS = ("N·m",) * 3 + ("N",) * 3
-"""What moves such a base: moment and force at the origin of F_1, in its axes."""
 
 
 class Jointed(Named, Protocol):

@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 from itertools import accumulate, pairwise
 from typing import TYPE_CHECKING, Annotated, Any
 
+from ..elements.brake import INPUT as LETTER
 from ..joints.screw import Screw
-from .input import Input
+from .input import Input, InputLine
 from .part import Part
 from .stated import Stated
 from .values import array, refuse, shown
@@ -94,6 +95,17 @@ class BrakesOfAxes(Input):
 
     def units(self, robot: Robot) -> list[str]:
         return ["1"] * len(list(braked(robot)))
+
+    def efforts(self, robot: Robot) -> list[tuple[str, str]]:
+        out = []
+        for link, axis in braked(robot):
+            turns = link.joint.driven[axis].elastic or link.joint.screws[axis].turn
+            out.append((f"{link.name}.brake_effort[{axis}]", "N·m" if turns else "N"))
+        return out
+
+    def lines(self, chain: Any, first: int) -> list[InputLine]:
+        said = "the brake of axis {} of `{}`, from 0, open, to 1, closed"
+        return [InputLine(LETTER, said.format(axis + 1, link.name)) for link, axis in braked(chain.robot)]
 
     def of_links(self, chain: Any) -> list[list[int]]:
         ends = list(accumulate((len(key.brakes) for key in chain.keys), initial=0))

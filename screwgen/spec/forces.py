@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, NamedTuple
 from pydantic import Field, PlainSerializer, PlainValidator, model_serializer, model_validator
 
 from ..interactions import KINDS, Interaction, Number
-from .input import Input
+from .input import Input, InputLine
 from .loops import Loop, marked
 from .markers import ENDS
 from .messages import unknown
@@ -199,12 +199,17 @@ class InputsOfForces(Input):
 
     words = "inputs of forces between frames"
     quantity = "force_input"
+    said = r"Inputs of these act in their laws alone; their columns of $\mathbf{B}_u$ are zero."
 
     def names(self, robot: Robot) -> list[str]:
         return [f"{force.name}.{name}" for force in robot.acting_forces for name in force.law.shape.inputs]
 
     def units(self, robot: Robot) -> list[str]:
         return [entry.unit for force in robot.acting_forces for entry in force.law.shape.inputs.values()]
+
+    def lines(self, chain: Any, first: int) -> list[InputLine]:
+        pairs = ((f.name, one) for f in chain.robot.acting_forces for one in f.law.shape.inputs.values())
+        return [InputLine(one.symbol, f"`{name}`: {one.meaning}") for name, one in pairs]
 
 
 FORCE_INPUTS = InputsOfForces()

@@ -1,18 +1,30 @@
 """What a kind of input is: the contract of all entries of `tau`.
 
 An example: a winch that moves the base of a robot. It has three accelerations as inputs. A class says their names and
-units, and what they add to the acceleration of free fall. From that every back end has them, with derivatives.
+units, and what they add to the acceleration of free fall. From that every back end has them, with derivatives, and
+documents, figures and the viewer show them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from .values import objects, quoted, refuse
 
 if TYPE_CHECKING:
     from .robot import Robot
+
+
+class InputLine(NamedTuple):
+    """A line of a document's table of inputs."""
+
+    symbol: str
+    """Their letter in formulas, LaTeX."""
+    about: str
+    """What they act on."""
+    entries: int = 1
+    """How many entries share the line."""
 
 
 class Input:
@@ -38,6 +50,12 @@ class Input:
     chosen: ClassVar[bool] = False
     """Whether a controller chooses them; else they are given, as the command of a brake: predictive control knows them
     ahead and chooses the others."""
+    title: ClassVar[str] = ""
+    """What the panel of a run that shows them is headed with, in place of `words`; kinds made in Python share one."""
+    letter: ClassVar[str] = "u"
+    """Their letter in figures."""
+    said: ClassVar[str] = ""
+    """What documents say of how they act, LaTeX in sentences; that of free fall they derive themselves."""
     free_fall: Callable[[Sequence], Sequence] | None = None
     """``(entries) -> (x, y, z)``: what they add to the acceleration of free fall, m/s², inertial axes; linear."""
 
@@ -48,6 +66,14 @@ class Input:
     def units(self, robot: Robot) -> Sequence[str]:
         """The unit of each."""
         raise NotImplementedError
+
+    def efforts(self, robot: Robot) -> Sequence[tuple[str, str]]:
+        """Name and unit of what each entry exerts; of a force that is the entry itself."""
+        return list(zip(self.names(robot), self.units(robot), strict=True))
+
+    def lines(self, chain: Any, first: int) -> Sequence[InputLine]:
+        """Their lines in a document's table; ``first`` is the number of the first entry in `tau`, from one."""
+        return [InputLine(f"u_{{{k}}}", self.words) for k, _ in enumerate(self.names(chain.robot), first)]
 
     def of_links(self, chain: Any) -> list[list[int]]:
         """For every link the numbers of the entries that it reads, among those of this kind."""

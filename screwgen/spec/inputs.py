@@ -8,10 +8,10 @@ from itertools import pairwise
 from typing import Any
 
 from ..errors import UsageError
-from .base import BASE_MOTION, EFFORT_UNITS
-from .brake import BRAKES, braked
+from .base import BASE_MOTION
+from .brake import BRAKES
 from .forces import FORCE_INPUTS
-from .input import Input
+from .input import Input, InputLine
 from .robot import Link, Robot
 from .tendons import TENSIONS
 
@@ -32,6 +32,29 @@ class Torques(Input):
 
     def units(self, robot: Robot) -> list[str]:
         return [unit for *_, unit in efforts(robot)]
+
+    def efforts(self, robot: Robot) -> list[tuple[str, str]]:
+        out = []
+        for link in robot.links:
+            for j, (screw, own) in enumerate(zip(link.joint.screws, link.joint.driven, strict=True)):
+                name, unit = own.effort(screw)
+                out.append((f"{link.name}.{'effort' if j in link.joint.prescribed else name}[{j}]", unit))
+        return out
+
+    def lines(self, chain: Any, first: int) -> list[InputLine]:
+        return [InputLine(rf"\tau_{{{k + 1}}}", self._acts(chain, k)) for k in range(chain.n_joints)]
+
+    def _acts(self, chain: Any, k: int) -> str:
+        link = next(i for i in range(chain.n) if chain.tau_offset[i] <= k < chain.tau_offset[i + 1])
+        key = chain.keys[link]
+        kind = key.travels.get(k - chain.tau_offset[link])
+        where = f"the joint of link {link + 1}" + f", $q_{{{k + 1}}}$" * bool(key.screws)
+        rotor = k in chain.added_joints and kind is None
+        if k in chain.prescribed:
+            return f"is the acceleration of {'the rotor that drives ' * rotor}{where}"
+        if rotor:
+            return f"the rotor that drives {where}"
+        return f"{where}, through a {kind.WORD}" if kind is not None else where
 
     def of_links(self, chain: Any) -> list[list[int]]:
         return [list(range(*ends)) for ends in pairwise(chain.tau_offset)]
@@ -74,29 +97,12 @@ def effort_names(robot: Robot) -> list[str]:
 
     Of a brake `arm.brake_effort[0]`, of a base whose motion is given `base.twist_effort[0]`.
     """
-    found = {f"{link.name}.acceleration[{j}]": f"{link.name}.effort[{j}]" for link, j in _given(robot)}
-    found |= {f"{link.name}.brake[{j}]": f"{link.name}.brake_effort[{j}]" for link, j in braked(robot)}
-    found |= {name: f"base.twist_effort[{k}]" for k, name in enumerate(BASE_MOTION.names(robot))}
-    return [found.get(name, name) for name in input_names(robot)]
-
-
-def _given(robot: Robot) -> Iterator[tuple[Link, int]]:
-    return ((link, axis) for link in robot.links for axis in link.joint.prescribed)
+    return [name for row in inputs(robot) for name, _ in row.efforts(robot)]
 
 
 def effort_units(robot: Robot) -> list[str]:
     """Their units."""
-    axes = [
-        (screw, own) for link in robot.links for screw, own in zip(link.joint.screws, link.joint.driven, strict=True)
-    ]
-    found = [own.effort(screw)[1] for screw, own in axes] + input_units(robot)[len(axes) :]
-    at = {name: k for k, name in enumerate(input_names(robot))}
-    for link, axis in braked(robot):
-        turns = link.joint.driven[axis].elastic or link.joint.screws[axis].turn
-        found[at[f"{link.name}.brake[{axis}]"]] = "N·m" if turns else "N"
-    for name, unit in zip(BASE_MOTION.names(robot), EFFORT_UNITS, strict=False):
-        found[at[name]] = unit
-    return found
+    return [unit for row in inputs(robot) for _, unit in row.efforts(robot)]
 
 
 def quantities(robot: Robot) -> list[str]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
-from .input import Input
+from .input import Input, InputLine
 from .names import link_name
 from .part import Part
 from .ranges import within
@@ -118,12 +118,18 @@ class Tensions(Input):
     kinds = (TENSION[1:],)
     signal = "tension"
     chosen = True
+    title = "Tensions of tendons"
+    letter = "T"
 
     def names(self, robot: Robot) -> list[str]:
         return [f"{name}{TENSION}" for name in tendon_names(robot)]
 
     def units(self, robot: Robot) -> list[str]:
         return ["N"] * len(tendon_names(robot))
+
+    def lines(self, chain: Any, first: int) -> list[InputLine]:
+        count = len(tendon_names(chain.robot))
+        return [InputLine(f"T_{{{k + 1}}}", "tension of the tendon, along its pieces") for k in range(count)]
 
     def of_links(self, chain: Any) -> list[list[int]]:
         every, links = tendon_names(chain.robot), chain.robot.links

@@ -8,7 +8,6 @@ from itertools import accumulate, pairwise
 import numpy as np
 
 from ..arguments import Parameters
-from ..errors import UsageError
 from ..spec.forces import FORCE_INPUTS
 from ..spec.input import Input
 from ..spec.inputs import TORQUES, inputs
@@ -104,9 +103,3 @@ class ChosenInputs:
         for name, value in added_numbers(self.forces, tau[self.inputs.get(FORCE_INPUTS, slice(0))]):
             out[self.parameters.names.index(name)] += value
         return out
-
-    def refuse_inputs(self, what: str, instead: str, *known: Input) -> None:
-        """Raises UsageError where there are inputs besides torques of axes and the ``known`` ones."""
-        for row in self.other_inputs:
-            if row not in known:
-                raise UsageError(f"robot '{self.robot.name}' has {row.words}, for which there is no {what}; {instead}")

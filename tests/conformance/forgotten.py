@@ -326,7 +326,7 @@ TABLE: list[Mutant] = [
     M("four-bar", "document", "screwgen/elements/four_bar.py",
       r"\psi'\,(\tau_c - \tau_f) - J_r\,N^2\,\psi'\,\psi''\,\dot{q}^2,", r"\psi'\,(\tau_c - \tau_f),"),
     M("tendon", "commands", "screwgen/plotting/run_panels.py",
-      "if array in run.arrays and (kept := places(run.tau_names, row)):", "if False:"),
+      "if kept and array in run.arrays:", "if False:"),
     M("tendon", "mock-up unit", "screwgen/backends/fmi/variables.py",
       "in zip(names, input_units(chain.robot), strict=True):",
       "in zip(names[: chain.n_joints], input_units(chain.robot), strict=False):"),

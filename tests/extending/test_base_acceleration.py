@@ -13,7 +13,6 @@ from outside import Outside, every_check
 from scipy.integrate import simpson
 
 from screwgen import Input, Robot, RobotFileError, UsageError, derive, dump, equilibrium, simulate
-from screwgen.backends.latex.document import document
 from screwgen.plotting.run_panels import panels
 from screwgen.runtime.estimator import Noise
 from screwgen.simulation.estimator import Estimator
@@ -68,7 +67,8 @@ def test_it_acts_as_another_gravity_does(accelerated, check):
 
 
 @pytest.mark.parametrize(
-    "check", ["derivatives of wrenches", "C folder", "mock-up unit", "acados", "acados, DAE form", "estimator"]
+    "check",
+    ["derivatives of wrenches", "document", "C folder", "mock-up unit", "acados", "acados, DAE form", "estimator"],
 )
 def test_it_goes_on_to(accelerated, check):
     accelerated.holds(check)
@@ -150,8 +150,6 @@ def test_accelerometers_of_filters_feel_it():
 def test_what_does_not_know_it_says_so():
     with pytest.raises(UsageError, match="inputs are objects made in Python; a robot file cannot state them"):
         dump(Robot(**robot(BaseAcceleration())))
-    with pytest.raises(UsageError, match="has an accelerated base, for which there is no document; leave them out"):
-        document(MODEL.robot)
     with pytest.raises(RobotFileError, match=r"inputs\[0\]: is 3.0; it must be an object of a subclass of"):
         Robot(**robot(3.0))
     with pytest.raises(RobotFileError, match=r'inputs.1.: is "an accelerated base" again; leave one of them out'):

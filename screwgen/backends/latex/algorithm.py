@@ -17,7 +17,7 @@ from ...joints.constraints import Angle, Distance
 from ...spec.link_class import LinkClass
 from ...topology.chain import Chain
 from ..templates import render
-from . import elements, forces
+from . import elements, forces, inputs
 from .content import Display, DocumentTable, Item, Paragraph, parse
 from .layout import Row
 from .link_class import FIELD, pointwise, prose_of_field, said_of_field
@@ -210,6 +210,7 @@ def _values(chain: Chain, biased: bool) -> Mapping[str, object]:
         "internal": bool(chain.internal),
         "forces": forces.lines(chain),
         "inputs": _inputs(chain),
+        "fall": inputs.fall(chain),
         "loops": loops,
         "joined": bool(chain.robot.rigid_loops),
         "distances": any(isinstance(closing.row, Distance) for closing in chain.closing.rows),

@@ -22,6 +22,5 @@ def modes(chain: Chain) -> list[str]:
 
 
 def inputs(chain: Chain) -> list[str]:
-    """Of the inputs: the efforts of all axes, then the tensions of tendons."""
-    efforts = [rf"\tau_{{{k + 1}}}" for k in range(chain.n_joints)]
-    return efforts + [rf"T_{{{k + 1}}}" for k in range(chain.n_tensions)]
+    """Of the inputs, a symbol for each line of a document's table of them: of each axis, each tendon and so on."""
+    return [line.symbol for row, own in chain.inputs.items() for line in row.lines(chain, own.start + 1)]

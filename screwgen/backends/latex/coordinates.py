@@ -6,15 +6,12 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from ...elements.brake import INPUT as BRAKE
-from ...spec.base import BASE_MOTION
-from ...spec.brake import braked
-from ...spec.inputs import input_units
 from ...spec.parameters import coordinate_names, coordinate_units, rate_units
 from ...topology.chain import Chain
+from . import inputs
 from .content import DocumentTable, Heading, Item, Paragraph
 from .forces import TURNED
-from .tables import DIRECTION, NONE, axis_text, plain_unit
+from .tables import DIRECTION, NONE, axis_text, plain_unit, span
 
 ROWS = 60
 """Of more modes than that the table has one row for those of a link in one direction."""
@@ -43,10 +40,6 @@ GIVEN = (
 )
 
 
-GIVEN_RATE = r"\dot{\mathbf{V}}_g"
-"""What the rate of the twist of such a base is given as."""
-
-
 def tables(chain: Chain) -> Iterator[Item]:
     """The table of the coordinates, and that of the inputs."""
     yield Heading("Coordinates and inputs")
@@ -56,7 +49,7 @@ def tables(chain: Chain) -> Iterator[Item]:
     yield _table(("in $\\mathbf{q}$", "in $\\mathbf{v}$", "symbol", "name", "meaning", "unit"), coordinates(chain))
     said = INPUTS + GIVEN * bool(chain.prescribed) + TURNED * bool(chain.turned_wrenches)
     yield Paragraph(said, essential=True)
-    rows = inputs(chain)
+    rows = inputs.lines(chain)
     if rows:
         yield DocumentTable(
             ("in $\\mathbf{u}$", "symbol", "name", "acts on", "unit"), (0.08, 0.1, 0.3, 0.42, 0.1), rows
@@ -65,10 +58,6 @@ def tables(chain: Chain) -> Iterator[Item]:
 
 def _table(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> DocumentTable:
     return DocumentTable(head, (0.09, 0.09, 0.1, 0.27, 0.35, 0.1), tuple(rows))
-
-
-def _range(first: int, count: int) -> str:
-    return f"{first + 1}" if count == 1 else f"{first + 1}–{first + count}"
 
 
 def coordinates(chain: Chain) -> list[tuple[str, ...]]:
@@ -88,7 +77,7 @@ def coordinates(chain: Chain) -> list[tuple[str, ...]]:
             )
             about += f"its angular velocity relative to these, in axes of $\\mathcal{{F}}_{i + 1}$"
             name = names.q[at_q].rpartition(".")[0]
-            places = (_range(at_q, size[0]), _range(at_v, size[1]))
+            places = (span(at_q, size[0]), span(at_v, size[1]))
             out.append((*places, rf"$\mathbf{{q}}_{i + 1}$", f"`{name}`", about, r"1; $\mathrm{rad/s}$"))
         else:
             for k, screw in enumerate(key.screws):
@@ -103,16 +92,16 @@ def coordinates(chain: Chain) -> list[tuple[str, ...]]:
 
 def _floating(at_q: int, at_v: int) -> Iterator[tuple[str, ...]]:
     yield (
-        _range(at_q, 3),
-        _range(at_v + 3, 3),
+        span(at_q, 3),
+        span(at_v + 3, 3),
         r"$\mathbf{r}_{o1}$",
         "`base.x` …",
         (r"place of $\mathcal{F}_1$, inertial axes; in $\mathbf{v}$ its velocity $\mathbf{v}_1$ in its own"),
         plain_unit("m"),
     )
     yield (
-        _range(at_q + 3, 4),
-        _range(at_v, 3),
+        span(at_q + 3, 4),
+        span(at_v, 3),
         r"$\mathbf{Q}_1$",
         "`base.qw` …",
         (
@@ -139,7 +128,7 @@ def _modes(chain: Chain, names: Sequence[str], units: Sequence[str]) -> list[tup
     for i, key in enumerate(chain.keys):
         at_q, at_v = (first + chain.eta_offset[i] for first in (chain.eta_q, chain.eta_v))
         for k, direction, number, count in _groups(key.directions, chain.n_modes > ROWS):
-            cells = (_range(at_q + k, count), _range(at_v + k, count))
+            cells = (span(at_q + k, count), span(at_v + k, count))
             symbol = rf"$\eta_{{{i + 1},{k + 1}}}$" + (rf" … $\eta_{{{i + 1},{k + count}}}$" if count > 1 else "")
             which = f"mode {number}" if count == 1 else f"modes {number}–{number + count - 1}"
             about = f"link {i + 1}, {DIRECTION.get(direction, direction)}, {which}"
@@ -180,43 +169,3 @@ def _groups(directions: Sequence[tuple[str, int]], grouped: bool) -> Iterator[tu
         count = sum(d == direction for d, _ in directions[start:]) if grouped else 1
         yield start, direction, number + 1, count
         start += count
-
-
-def inputs(chain: Chain) -> tuple[tuple[str, ...], ...]:
-    """One row for each input."""
-    names, units = coordinate_names(chain.robot).tau, input_units(chain.robot)
-    out = []
-    drives, brakes = chain.n_joints + chain.n_tensions, list(braked(chain.robot))
-    for k, (name, unit) in enumerate(zip(names[:drives], units, strict=False)):
-        tendon = k - chain.n_joints
-        symbol = rf"$\tau_{{{k + 1}}}$" if tendon < 0 else rf"$T_{{{tendon + 1}}}$"
-        about = _acts(chain, k) if tendon < 0 else "tension of the tendon, along its pieces"
-        out.append((f"{k + 1}", symbol, f"`{name}`", about, plain_unit(unit)))
-    for number, (link, axis) in enumerate(brakes):
-        k = drives + number
-        about = f"the brake of axis {axis + 1} of `{link.name}`, from 0, open, to 1, closed"
-        out.append((f"{k + 1}", f"${BRAKE}$", f"`{names[k]}`", about, plain_unit(units[k])))
-    first = drives + len(brakes)
-    if chain.moving:
-        about = r"the base, whose motion is given: the rate of its twist, in axes of $\mathcal{F}_1$"
-        out.append((_range(first, 6), f"${GIVEN_RATE}$", f"`{names[first]}` …", about, r"$\mathrm{rad/s^2, m/s^2}$"))
-        first = chain.inputs[BASE_MOTION].stop
-    chosen = ((force.name, entry) for force in chain.forces for entry in force.shape.inputs.values())
-    for k, (force, entry) in enumerate(chosen, first):
-        about = f"`{force}`: {entry.meaning}"
-        out.append((f"{k + 1}", f"${entry.symbol}$", f"`{names[k]}`", about, plain_unit(units[k])))
-    return tuple(out)
-
-
-def _acts(chain: Chain, k: int) -> str:
-    link = next(i for i in range(chain.n) if chain.tau_offset[i] <= k < chain.tau_offset[i + 1])
-    kind = chain.keys[link].travels.get(k - chain.tau_offset[link])
-    where = (
-        f"the joint of link {link + 1}, $q_{{{k + 1}}}$" if chain.keys[link].screws else f"the joint of link {link + 1}"
-    )
-    rotor = k in chain.added_joints and kind is None
-    if k in chain.prescribed:
-        return f"is the acceleration of the rotor that drives {where}" if rotor else f"is the acceleration of {where}"
-    if rotor:
-        return f"the rotor that drives {where}"
-    return f"{where}, through a {kind.WORD}" if kind is not None else where

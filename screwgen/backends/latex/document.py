@@ -16,17 +16,13 @@ from ...algorithms.scope import derived
 from ...ir.block import Block
 from ...notebook import markdown_table, plain, steps_table
 from ...plugins import Plugin, merged
-from ...spec.base import BASE_MOTION
-from ...spec.brake import BRAKES
-from ...spec.forces import FORCE_INPUTS
 from ...spec.link_class import EXACT, LinkClass
 from ...spec.robot import Robot
-from ...spec.tendons import TENSIONS
 from ...topology.chain import Chain
 from ...version import __version__
 from ..numpy.loop_rows import choose_rows
 from ..templates import render
-from . import algorithm, check_value, coordinates, elements, forces, motion, numbers, tables, text
+from . import algorithm, check_value, coordinates, elements, forces, inputs, motion, numbers, tables, text
 from .algorithm import ALGORITHM
 from .at_rest import at_rest
 from .blocks import LETTERS
@@ -88,7 +84,6 @@ def html(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | None
 def chain_of(robot: Robot) -> Chain:
     """The links of a robot, with the rows of its loops that bear forces."""
     chain = Chain(robot)
-    chain.refuse_inputs("document", "leave them out of its robot", TENSIONS, BRAKES, BASE_MOTION, FORCE_INPUTS)
     choose_rows(chain)
     return chain
 
@@ -137,6 +132,7 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
         *(SLIDING if chain.slides else ()),
         *elements.symbols(chain),
         *forces.symbols(chain),
+        *inputs.symbols(chain),
         *(symbol for chapter in chapters for symbol in chapter.symbols),
     ]
     symbols = entries(known, named)
@@ -258,6 +254,8 @@ def _conventions(robot: Robot, chain: Chain) -> DocumentSection:
     text = render(
         "latex/conventions.tex.jinja",
         gravity=rf"[{gravity}]^{{\top}}".replace(", ", r",\ "),
+        own_fall=inputs.OWN_FALL if chain.falls else inputs.FALL,
+        stated=f" {inputs.STATED}" * chain.falls,
         citation=CITATION,
         assumptions=chain.assumptions("`"),
         placed=any(key.frame_at for key in chain.keys),
@@ -288,6 +286,7 @@ def _derivation(robot: Robot, chain: Chain) -> DocumentSection:
         stations=any(chain.tree.stations),
         floating=chain.floating,
         moving=chain.moving,
+        own_fall=inputs.OWN_FALL if chain.falls else inputs.FALL,
         effort=elements.effort(chain),
         first_order=all(key.order == 1 for key in chain.keys),
         exact=exact,

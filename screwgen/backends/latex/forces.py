@@ -24,7 +24,6 @@ from .layout import fill, width
 STATE, PARAMETER = Binding.STATE, Binding.PARAMETER
 TURNED = " External wrenches of pushes in axes of the world have inertial components instead."
 BORNE = " External wrenches hold those of forces between frames."
-CHOSEN = r" Inputs of these act in their laws alone; their columns of $\mathbf{B}_u$ are zero."
 ENDS: tuple[Named, ...] = tuple(
     (f"{letter}_{{{place}{end}}}", f"{meaning} {end}", unit, size, frame, STATE)
     for end in "AB"

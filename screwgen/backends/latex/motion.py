@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 from ...topology.chain import Chain
 from ..templates import render
+from . import inputs
 from .algorithm import axis_terms, joint_terms
 from .content import DocumentSection, Item, Paragraph, parse
-from .forces import BORNE, CHOSEN
+from .forces import BORNE
 from .layout import PAGE, matrix, width
 
 MOTION, MASS = "Equation of motion", "Mass matrix"
@@ -116,7 +117,7 @@ def motion(chain: Chain) -> DocumentSection:
         "armatures": "armature" in has,
         "bodies": any(k.bodies_at("tip") for k in chain.keys),
         "besides": besides,
-        "borne": BORNE * bool(chain.forces) + CHOSEN * chain.chooses_forces,
+        "borne": BORNE * bool(chain.forces) + inputs.said(chain),
     }
     items = parse(render("latex/motion.tex.jinja", **values))
     return DocumentSection(MOTION, [_sought(item) for item in items])

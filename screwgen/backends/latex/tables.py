@@ -187,6 +187,11 @@ def parameters(items: Sequence[tuple[Parameter, str]]) -> DocumentTable:
     return DocumentTable(head, widths, tuple(rows))
 
 
+def span(first: int, count: int) -> str:
+    """The numbers of entries in a row, from one, of which the first is counted from zero: 4–6 of three behind three."""
+    return f"{first + 1}" if count == 1 else f"{first + 1}–{first + count}"
+
+
 def plain_unit(text: str) -> str:
     """A unit in the spelling of the robot file, as a formula."""
     replaced = text.replace("·", r"\,").replace("²", "^{2}").replace("³", "^{3}")

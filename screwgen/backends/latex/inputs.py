@@ -15,7 +15,7 @@ from .tables import plain_unit, span
 
 OWN_FALL, FALL = r"\mathbf{g}_0", r"\mathbf{g}"
 """Free fall of the robot file where inputs add to it, and with what they add."""
-STATED = f"${OWN_FALL}$ is that of the robot file, and its energy is that in ${OWN_FALL}$ alone."
+STATED = f"Energies take ${OWN_FALL}$ alone."
 
 
 def lines(chain: Chain) -> tuple[tuple[str, ...], ...]:

@@ -23,6 +23,7 @@ from ..simulation.definiteness import check_definite
 from ..simulation.validity import Validity
 from ..topology.chain import Chain
 from .linear import checked
+from .statics import RESIDUAL, Statics, downhill, polished
 from .stiffness import added_stiffness
 
 if TYPE_CHECKING:
@@ -92,8 +93,10 @@ def steady(
     v = np.append(np.zeros(chain.base_v), chain.with_inner(checked(rates, "rates", model.n_joints), p))
     _refuse_turning_balls(chain, v)
     p = np.array(p, float) if loaded else np.r_[np.zeros(3), p[3:]]
-    q = deflected(model, q, v, p) if settle else q
     numeric, m = model.numpy(p), chain.eta_v
+    if chain.base_v and not v.any():
+        refuse_pulled_base(model, numeric.inverse_dynamics(q, v, None, None), numeric.slopes(q, v, None, None)[1])
+    q = deflected(model, q, v, p) if settle else q
     M, K, C = numeric.slopes(q, v, None, None)
     check_definite(model, q, p)
     if np.linalg.eigvalsh(M[np.ix_(moving, moving)])[0] <= 0:
@@ -146,25 +149,44 @@ def unresisted(columns: np.ndarray, *others: np.ndarray) -> np.ndarray:
 def deflected(model: RobotModel, q: np.ndarray, v: np.ndarray, p: np.ndarray) -> np.ndarray:
     """`q` with the modal coordinates at which no mode accelerates, by Newton's method from those of `q`.
 
-    The gears of elastic drives are wound by what holds their joints.
+    Where that leads nowhere and nothing moves, down the potential energy. The gears of elastic drives are wound by
+    what holds their joints.
     """
-    chain = model.chain
-    numeric, modes, eta = model.numpy(p), slice(chain.eta_v, model.nv), slice(chain.eta_q, model.nq)
-    q = q.copy()
+    chain, q = model.chain, q.copy()
     if chain.n_added:
         first = chain.base_q
         q[first : chain.eta_q] = chain.with_added(q[first : chain.q_offset[-1]], p)
+    found = _by_newton(model, q, v, p)
+    if found is None and not (v.any() or chain.base_v):
+        found = _downhill(model, q, p)
+    if found is None:
+        raise UsageError("the links find no steady deflection under these rates and loads")
+    joints = slice(chain.base_v, chain.base_v + chain.n_joints)
+    force = model.numpy(p).inverse_dynamics(found, v, None, None)[joints]
+    return wound(model, found, efforts(chain, force, chain.of_joints(found), p) if chain.elastic_travels else force, p)
+
+
+def _by_newton(model: RobotModel, q: np.ndarray, v: np.ndarray, p: np.ndarray) -> np.ndarray | None:
+    """The same by Newton's method alone, gears as they are; None where it does not settle."""
+    numeric, modes, eta = model.numpy(p), slice(model.chain.eta_v, model.nv), slice(model.chain.eta_q, model.nq)
+    q = q.copy()
     for _ in range(ITERATIONS):
         K = numeric.slopes(q, v, None, None)[1][modes, modes]
         step = np.linalg.lstsq(K, numeric.inverse_dynamics(q, v, None, None)[modes])[0]
         q[eta] -= step
         if not np.isfinite(q).all():
-            break
+            return None
         if np.max(np.abs(step), initial=0.0) <= SETTLED * np.max(np.abs(q[eta]), initial=0.0):
-            joints = slice(chain.base_v, chain.base_v + chain.n_joints)
-            force = numeric.inverse_dynamics(q, v, None, None)[joints]
-            return wound(model, q, efforts(chain, force, chain.of_joints(q), p) if chain.elastic_travels else force, p)
-    raise UsageError("the links find no steady deflection under these rates and loads")
+            return q
+    return None
+
+
+def _downhill(model: RobotModel, q: np.ndarray, p: np.ndarray) -> np.ndarray | None:
+    """The same where the potential energy of the modes is least near `q`; None where there is no such place."""
+    modes = np.arange(model.chain.eta_v, model.nv)
+    statics = Statics(model, p, np.zeros(model.nv), np.zeros((model.chain.n, 6)), modes)
+    b = polished(statics, downhill(statics, statics.at(q)))
+    return b.q if b.residual <= RESIDUAL else None
 
 
 def wound(model: RobotModel, q: np.ndarray, force: np.ndarray, p: np.ndarray) -> np.ndarray:

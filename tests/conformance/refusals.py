@@ -65,16 +65,6 @@ REFUSALS: tuple[Refusal, ...] = (
         for check, words in (("equilibrium", "on the floating base"), ("modes", "forces between it and the world pull"))
     ),
     Refusal(
-        *("modes", ("compliant loop",), "find no steady deflection"),
-        why="a joint that is far apart bends links farther than the search follows",
-        large=True,
-    ),
-    Refusal(
-        *("modes", ("exact rod", "rope"), "find no steady deflection"),
-        why="a rope that is long drawn bends an exact rod farther than the search follows",
-        large=True,
-    ),
-    Refusal(
         *("modes", ("second order", "rope"), "is not positive definite"),
         why="without gravity the rope bends a link of second order farther than its model goes",
         large=True,

@@ -242,7 +242,7 @@ def modes_beside_forces(case: Case) -> None:
     joints = chain.with_added(joints, model.parameter_values) if chain.n_added else joints
     start = np.concatenate([at[: chain.base_q], joints, at[chain.eta_q :]])
     moving = {joints: movable(model, joints, start, model.parameter_values) for joints in found}
-    if looped:  # which may find rest in several postures
+    if model.robot.loops:  # which may find rest in several postures
         start = _hanging(model, at, moving["locked"])
     bent = moving["locked"] if looped else np.r_[chain.eta_v - len(gears) : model.nv]
     balanced = bent if looped else [*gears, *range(chain.eta_v, model.nv)]

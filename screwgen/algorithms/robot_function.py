@@ -46,7 +46,8 @@ class RobotFunction:
 
     def of(self, chain: Chain) -> RobotFunction:
         """The function as a robot has it: with all its inputs."""
-        return replace(self, inputs=" ".join(fused.stated(chain, self.inputs)))
+        inputs = " ".join(fused.stated(chain, self.inputs))
+        return self if inputs == self.inputs else replace(self, inputs=inputs)
 
 
 def shape(signal: Signal, chain: Chain) -> tuple[int, ...]:

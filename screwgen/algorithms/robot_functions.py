@@ -8,7 +8,7 @@ columns of runs and rollouts, variables of mock-up units, docs/functions.md. CON
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from ..bodies.validity import MEASURES
 from ..errors import UsageError
@@ -281,7 +281,11 @@ def known(chain: Chain) -> Mapping[str, RobotFunction]:
 
 def offered(chain: Chain) -> tuple[RobotFunction, ...]:
     """The functions that a robot has."""
-    return tuple(function.of(chain) for function in known(chain).values() if function.offered(chain))
+    return tuple(_offered(chain, known(chain).values()))
+
+
+def _offered(chain: Chain, functions: Iterable[RobotFunction]) -> Iterator[RobotFunction]:
+    return (function.of(chain) for function in functions if function.offered(chain))
 
 
 def reported(chain: Chain) -> tuple[RobotFunction, ...]:
@@ -301,4 +305,4 @@ def of_sensors(chain: Chain) -> tuple[RobotFunction, ...]:
 
 def in_file(name: str, chain: Chain) -> tuple[RobotFunction, ...]:
     """The functions that a file of the C has."""
-    return tuple(function for function in offered(chain) if function.c_file == name)
+    return tuple(_offered(chain, (function for function in known(chain).values() if function.c_file == name)))

@@ -8,11 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import require_tool
-from helpers import arm, example, link, model_of, unfolded
+from helpers import arm, example, link, model_of, quick, unfolded
 
 from screwgen.backends.c.project import CProject
 from screwgen.backends.numpy import reference
 from screwgen.backends.numpy.reference import Rounding, assembly_error
+from screwgen.backends.numpy.reference_sums import stiffer
 from screwgen.cli.commands import run_generate
 from screwgen.errors import PrecisionWarning, ScrewgenError, UsageError
 
@@ -233,3 +234,28 @@ def test_near_gimbal_lock_float_may_miss_the_assembled_system():
     case = CProject(chain, "")._cases[1]
     near = case | {"q": [0.3, np.pi / 2 - 1e-3, 0.2, 0.5]}
     assert assembly_error(chain, [case]) < 1e-5 < assembly_error(chain, [near])
+
+
+# -------- the search for rest
+
+
+def moored(factor: float) -> dict:
+    """BENDS with this multiple of its stiffness, and a line that bends it by half a metre, were it not so long."""
+    section = {name: factor * stiffness for name, stiffness in SECTION.items()}
+    boom = BENDS["links"][0] | {"modes": {"bending_y": 1, "bending_z": 1}}
+    robot = arm(boom | {"section": boom["section"] | section}, BENDS["links"][1])
+    line = {"line": {"stiffness": 2000.0, "rest": 0.2}}
+    return robot | {"forces": [line | {"name": "mooring", "between": [{"world": [0.3, 2.0, -1.0]}, "a.tip"]}]}
+
+
+def test_rest_is_sought_where_the_search_comes_near_it():
+    """What lines do to modes of their own stiffness leads it astray, and every round multiplies the rounding of the
+    last; its self-check would hold one precision's wanderings beside another's."""
+    chain = model_of(moored(1.0)).chain
+    project = CProject(chain, "")
+    case, factor = project._cases[-1], stiffer(chain, project._cases[-1])
+    assert f"stiff.K[k] *= {factor:.0f};" in project.files()["check.c"] and 10 < factor < 100
+    q, w_ext = [*case["q"][: chain.eta_q], *[0.0] * chain.n_modes], np.reshape(case["w_ext"], (-1, 6))
+    left = [np.abs(quick(model_of(moored(x))).gravity(q, w_ext)[0][chain.eta_v :]).max() for x in (1.0, factor)]
+    assert left[1] < 1.0 and left[0] > 1e3
+    assert "&stiff" not in texts("fused")["check.c"]

@@ -404,16 +404,16 @@ static void check_rest(void)
     static ella_state rest;
     ella_state posture = r->state;
     ella_status status = ELLA_OK;
+    const ella_constants *c = &constants;
     int round, k;
     memset(posture.v, 0, sizeof posture.v);
     for (round = 0; round <= ELLA_ROUNDS && status == ELLA_OK; ++round) {
         for (k = 0; k < ELLA_NMODES && round > 0; ++k) {
-            posture.q[ELLA_NQ - ELLA_NMODES + k] -= force[ELLA_NV - ELLA_NMODES + k] / constants.K[k];
+            posture.q[ELLA_NQ - ELLA_NMODES + k] -= force[ELLA_NV - ELLA_NMODES + k] / c->K[k];
         }
-        status = ella_inverse_dynamics(&constants, &posture, &r->input, still, &dae_work.chain, force, 0);
+        status = ella_inverse_dynamics(c, &posture, &r->input, still, &dae_work.chain, force, 0);
     }
-    verdict("status of rest", 0,
-        ella_gravity(&constants, &r->state, &r->input, &dae_work.chain, found, &rest) == status);
+    verdict("status of rest", 0, ella_gravity(c, &r->state, &r->input, &dae_work.chain, found, &rest) == status);
     if (status == ELLA_OK) {
         verdict("joints at rest", 0, deviation(rest.q, posture.q, ELLA_NQ - ELLA_NMODES, 1) <= TOLERANCE);
         verdict("modes at rest", 0,

@@ -412,17 +412,17 @@ static void check_rest(void)
     static six_link_state rest;
     six_link_state posture = r->state;
     six_link_status status = SIX_LINK_OK;
+    const six_link_constants *c = &constants;
     int round, k;
     memset(posture.v, 0, sizeof posture.v);
     for (round = 0; round <= SIX_LINK_ROUNDS && status == SIX_LINK_OK; ++round) {
         for (k = 0; k < SIX_LINK_NMODES && round > 0; ++k) {
             posture.q[SIX_LINK_NQ - SIX_LINK_NMODES + k] -= force[SIX_LINK_NV - SIX_LINK_NMODES
-                + k] / constants.K[SIX_LINK_NTAU + k];
+                + k] / c->K[SIX_LINK_NTAU + k];
         }
-        status = six_link_inverse_dynamics(&constants, &posture, &r->input, still, &dae_work.chain, force, 0);
+        status = six_link_inverse_dynamics(c, &posture, &r->input, still, &dae_work.chain, force, 0);
     }
-    verdict("status of rest", 0,
-        six_link_gravity(&constants, &r->state, &r->input, &dae_work.chain, found, &rest) == status);
+    verdict("status of rest", 0, six_link_gravity(c, &r->state, &r->input, &dae_work.chain, found, &rest) == status);
     if (status == SIX_LINK_OK) {
         verdict("joints at rest", 0, deviation(rest.q, posture.q, SIX_LINK_NQ - SIX_LINK_NMODES, 1) <= TOLERANCE);
         verdict("modes at rest", 0,

@@ -93,14 +93,15 @@ def _assembly(chain: Chain, states: Sequence[Recorded], usual: float) -> str:
 def sums(chain: Chain, cases: Sequence[Case], methods: Iterable[Method]) -> dict[str, object]:
     """The :class:`Sums` of the last case as C literals, and how its state is changed for a step; {} without cases.
 
-    ``share``: that of the loads under which rest is sought, if all are too much.
+    ``stiffer``: the factor of the modes' stiffness with which rest is sought, if that of their own is too little.
     """
     if not cases:
         return {}
     found = reference_sums.sums(chain, cases[-1], tuple(methods))._asdict()
     found |= {"haste": reference_sums.HASTE}
-    share = reference_sums.bearable(chain, cases[-1])
-    return {name: _literals(value) for name, value in found.items()} | {"share": literal(share) if share < 1 else ""}
+    factor = reference_sums.stiffer(chain, cases[-1])
+    stiffer = literal(factor) if factor > 1 else ""
+    return {name: _literals(value) for name, value in found.items()} | {"stiffer": stiffer}
 
 
 def _literals(value: Any) -> Any:

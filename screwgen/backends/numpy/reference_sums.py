@@ -42,8 +42,9 @@ FULL_TURN = 6.28
 HASTE = 3.0
 """The factor of the case's rates, which makes terms of higher order visible."""
 
-FAR = 0.03
-"""m or rad: how far loads may bend a mode where rest is sought."""
+FAR, NEARER, STIFFEST = 0.03, 0.5, 1e6
+"""How far loads may bend a mode where rest is sought, m or rad; the largest share of a round's motion by which the next
+may move the modes; and the largest factor of their stiffness."""
 
 DEFECT, SLIGHT = 0.01, 1e-4
 """The largest defect; and that of rows that share forces, which depend on each other where loops are closed: farther
@@ -202,21 +203,36 @@ def _steps(
     return (joint, ends) if np.isfinite(joint).all() and np.isfinite(ends).all() else None
 
 
-def bearable(chain: Chain, case: Case) -> float:
-    """The share of weight and external wrenches that bends no mode beyond FAR in the posture of a case; 1 if all does.
+def stiffer(chain: Chain, case: Case) -> float:
+    """The factor of the modes' stiffness with which the search for rest in the posture of a case comes near it; 1 if
+    that of their own will do.
 
-    Where they bend a mode by metres, the search for rest goes astray, and its results are those of rounding.
+    With it no mode bends beyond FAR, and the second of the search's rounds moves them by half of the first or less.
+    Where they bend by metres, or what lines and tendons do changes more than the stress of modes, the search goes
+    astray: every round multiplies what is left, and the rounding of what is multiplied.
     """
     constants, modes = fused.baked(chain), slice(chain.n_given - chain.n_modes, chain.n_given)
     world = fused.world(chain, [p.value for p in parameters(chain.robot)])
     functions = Functions(chain, constants, world, evaluation(chain, _rounded, EPSILON))
-    straight = [*case["q"][: chain.eta_q], *[0.0] * chain.n_modes]
-    with mpmath.workdps(fused.DIGITS):
-        force = functions.statics(straight, case["w_ext"])[0][chain.eta_v :]
     stiffness = np.array(fused.columns(chain, constants)["K"])[:, None]
     K = chain.modal_product(stiffness, np.eye(chain.n_given))[modes, modes]
-    bent = np.abs(np.linalg.solve(K, np.array(force, float))).max(initial=0.0)
-    return min(1.0, float(f"{FAR / bent:.0e}")) if bent else 1.0
+
+    def moved(eta: np.ndarray) -> np.ndarray:
+        """By how much the search would move modes that are bent so, had they the stiffness of their own."""
+        force = functions.statics([*case["q"][: chain.eta_q], *eta.tolist()], case["w_ext"])[0][chain.eta_v :]
+        return -np.linalg.solve(K, np.array(force, float))
+
+    with mpmath.workdps(fused.DIGITS):
+        bent = moved(np.zeros(chain.n_modes))
+        largest = np.abs(bent).max(initial=0.0)
+        factor = max(1.0, float(f"{largest / FAR:.0e}"))
+        while largest and factor < STIFFEST:
+            with contextlib.suppress(SingularError):
+                there = bent / factor
+                if np.abs(moved(there) - (factor - 1) * there).max() <= NEARER * largest:
+                    break
+            factor *= 2
+    return factor
 
 
 def _poses(f: Functions, case: Case) -> list[float]:

@@ -18,20 +18,25 @@ from conformance.twin import as_turns, axes_of, first_piece
 
 
 def drawn(row: Row, robot: dict, seed: int = 0) -> Judge:
-    """The robot of a row in a random state that is regular; a bridge that is as long as is needed closes a loop."""
+    """The robot of a row in a random state that is regular; a bridge that is as long as is needed closes a loop.
+
+    What is derived of the robot without that bridge is derived once for all draws.
+    """
+    oracle, before = Oracle(as_turns(robot)), None
     for attempt in range(200):
         rng = np.random.default_rng([seed, attempt])
-        found = _drawn(rng, row, copy.deepcopy(robot))
+        found = _drawn(rng, row, copy.deepcopy(robot), oracle, before)
         if found.regular:
             return found
+        before = None if row["closing"] in LOOPS else found
     raise RuntimeError(f"no regular state of {dict(row)} in 200 draws")
 
 
-def _drawn(rng, row: Row, robot: dict) -> Judge:
-    twin = as_turns(robot)
+def _drawn(rng, row: Row, robot: dict, oracle: Oracle, before: Judge | None) -> Judge:
+    """``before``: a judge of the same robot in another state, whose functions are this one's too."""
+    twin = oracle.robot
     draw = fr.random_state if any("cloud" in x for x in twin["links"]) else rr.random_state
     state = {name: np.array(x, float) for name, x in draw(rng, twin).items()}
-    oracle = Oracle(twin)
     if row["order"] == "second order":  # whose mass matrix is definite only where links bend little
         for name in ("q", "v"):
             state[name][oracle.n_joint + oracle.n_rotor :] *= 0.3
@@ -40,7 +45,9 @@ def _drawn(rng, row: Row, robot: dict) -> Judge:
         _close(rng, row, robot, oracle, state)
         twin = as_turns(robot)
         oracle = Oracle(twin)
-    judge = Judge(robot, twin, oracle, state)
+    judge = Judge(robot, twin, oracle, state, before and before.rows)
+    if before:
+        judge.acting, judge.outer.acting = before.acting, before.outer.acting
     judge.tensions = rng.uniform(5.0, 30.0, len(judge.tendon_lengths))
     judge.closed = rng.uniform(0.2, 0.7, len(judge.brakes))
     judge.pushes = 4.0 * rng.normal(size=judge.pushes.shape)

@@ -40,12 +40,13 @@ class Judge:
     """A robot in a state: `given` (q, v, tau, w_ext) as the product takes them, `state` those of the oracle.
 
     `twin` is the robot of the oracle; where its loops are closed in the state, so are their rates.
+    `rows`: its loops and couplings, where another judge of the same oracle has them.
     """
 
-    def __init__(self, robot: dict, twin: dict, oracle: Oracle, state: dict):
+    def __init__(self, robot: dict, twin: dict, oracle: Oracle, state: dict, rows: Loops | None = None):
         self.robot, self.twin, self.oracle = robot, twin, oracle
         self.state = {name: np.array(x, float) for name, x in state.items()}
-        self.rows = Loops(oracle, twin) if {"loops", "couplings"} & set(twin) else None
+        self.rows = rows or (Loops(oracle, twin) if {"loops", "couplings"} & set(twin) else None)
         if self.rows is not None:
             self.state["v"] = self.rows.moving(self.state["q"], self.state["v"])
         self.bristles = Bristles(robot, axes_of(twin), oracle.drives)

@@ -12,6 +12,7 @@ from fmpy.fmi2 import FMU2Model, FMU2Slave
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from helpers import QUICK, arm, link, model_of
 
+from screwgen import Model
 from screwgen.runtime import fmu
 
 KINDS = {("fmu2", "cs"): FMU2Slave, ("fmu2", "me"): FMU2Model, ("fmu3", "cs"): FMU3Slave, ("fmu3", "me"): FMU3Model}
@@ -28,9 +29,10 @@ def small() -> dict:
 
 @cache
 def written(target: str, make=small, outputs=False):
-    """The model and the path of its unit; ``outputs``: with what sensors measure."""
+    """Model and path of a unit. ``make`` gives a robot or its model; ``outputs``: with what sensors measure."""
     fmu.FLAGS = (*QUICK, "-fvisibility=hidden")
-    model = model_of(make())
+    made = make()
+    model = made if isinstance(made, Model) else model_of(made)
     folder = Path(mkdtemp(prefix="screwgen-fmi-"))
     model.write(folder / "out", targets=(target,), outputs=outputs)
     return model, folder / "out" / target / f"{model.robot.name}.fmu"

@@ -97,12 +97,11 @@ OF_MODES = [refusal for refusal in REFUSALS if refusal.check == "modes"]
 
 @contextmanager
 def derived_once(case: Case) -> Iterator[None]:
-    """Commands that read the robot of the case from its file share a model, which the first of them derives.
+    """Commands that read the robot of the case from its file share its model, of which other checks have derived much.
 
     Where they read another robot, its model is derived from what they read.
     """
-    shared = Model(case.model.robot)
-    own = lambda robot: shared if robot == shared.robot else Model(robot)  # noqa: E731
+    own = lambda robot: case.model if robot == case.model.robot else Model(robot)  # noqa: E731
     with mock.patch.object(model, "Model", own):
         yield
 
@@ -130,7 +129,7 @@ def units(case: Case) -> None:
 
     os.environ["CC"] = GCC
     (q, v), tau, model, target = closed(case), case.given[2], case.model, f"fmu{2 + case.seed % 2}"
-    make = lambda: case.robot  # noqa: E731
+    make = lambda: model  # noqa: E731
     assert validate_fmu(str(written(target, make)[1])) == []
     start = dict(zip(model.q_names + model.v_names, [*q, *v], strict=True))
     unit = Unit(target, "cs", make).ready(**start)

@@ -202,11 +202,11 @@ def ahead_of_joints(chain: Chain, q: Numbers, v: Numbers, p: Numbers) -> tuple[n
     faster[list(chain.elastic_travels)] = v[places]
     length, slope, _ = travels(chain, joints, p)
     moves = np.isin(np.arange(chain.n_joints), list(chain.elastic_travels)) & (np.abs(slope) > DEAD)
-    there, lever = joints.copy(), slope
+    there, reached, lever = joints.copy(), length, slope
     for _ in range(NEWTONS):
-        step = np.where(moves, length + stretch - travels(chain, there, p)[0], 0.0) / np.where(moves, lever, 1.0)
+        step = np.where(moves, length + stretch - reached, 0.0) / np.where(moves, lever, 1.0)
         there = there + step
-        lever = travels(chain, there, p)[1]
+        reached, lever, _ = travels(chain, there, p)
         if np.abs(step).max() <= CLOSE * (1.0 + np.abs(there).max()):
             break
     rate = (slope * rates + faster) / np.where(moves, lever, 1.0)

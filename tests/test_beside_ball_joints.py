@@ -11,8 +11,8 @@ from floating_robots import rod
 from helpers import model_of, quick, quick_batch, relative
 
 from screwgen import LimitWarning, equilibrium, rollout, simulate
-from screwgen.algorithms.travels import ahead_of_joints
 from screwgen.backends.numpy.dae_step import SERIES
+from screwgen.backends.numpy.travel_numbers import ahead_of_joints
 from screwgen.elements import HeldLaw, key
 from screwgen.simulation.simulate import stepper
 from screwgen.studies.stiffness import pressed

@@ -11,8 +11,8 @@ from four_bar_robots import LINKAGE
 from helpers import arm, link, model_of, relative
 
 from screwgen import PD, Holding, SingularError, UsageError, equilibrium, natural_frequencies, simulate
-from screwgen.algorithms.travels import travels
 from screwgen.backends.latex import document as latex
+from screwgen.backends.numpy.travel_numbers import travels
 from screwgen.plotting import plot
 from screwgen.plugins import plugins
 from screwgen.spec.inputs import input_units

@@ -10,7 +10,7 @@ from oracle_drives import crank_angle
 from transmitted import GAINS, gains_through_levers, held_posture, postures_under, power
 
 from screwgen import PD, FourBar, Holding, LimitWarning, SingularError, equilibrium, natural_frequencies, simulate
-from screwgen.algorithms.travels import travels
+from screwgen.backends.numpy.travel_numbers import travels
 from screwgen.plotting import plot
 
 # -------- one linkage on a bending boom

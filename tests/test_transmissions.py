@@ -15,9 +15,9 @@ from transmitted import (
 )
 
 from screwgen import PD, Holding, SingularError, equilibrium, natural_frequencies, simulate
-from screwgen.algorithms.travels import efforts, travels
 from screwgen.backends.c.project import CProject
 from screwgen.backends.latex import document as latex
+from screwgen.backends.numpy.travel_numbers import efforts, travels
 from screwgen.plotting import plot
 from screwgen.plugins import plugins
 from screwgen.simulation.controller_files import read_pd

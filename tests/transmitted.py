@@ -5,7 +5,7 @@ import pytest
 from helpers import relative
 
 from screwgen import PD, Model, equilibrium, simulate
-from screwgen.algorithms.travels import travels
+from screwgen.backends.numpy.travel_numbers import travels
 
 GAINS = (4e3, 1e3), (4e2, 90.0)
 

@@ -18,8 +18,9 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 
-from ..algorithms.travels import ahead_of_joints, relation
+from ..algorithms.travels import relation
 from ..backends.casadi.expressions import expressions
+from ..backends.numpy.travel_numbers import ahead_of_joints
 
 if TYPE_CHECKING:
     from ..elements import Travel

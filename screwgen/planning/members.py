@@ -12,9 +12,9 @@ import numpy as np
 
 from ..algorithms import fused
 from ..algorithms.functions import Functions
-from ..algorithms.travels import efforts
 from ..backends.casadi.expressions import expressions
 from ..backends.casadi.functions import symbols
+from ..backends.numpy.travel_numbers import efforts
 from ..errors import SingularError, UsageError
 from ..lazily import linalg
 from ..robot_model import RobotModel

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..algorithms.travels import ahead_of_joints, efforts
 from ..arguments import Numbers
+from ..backends.numpy.travel_numbers import ahead_of_joints, efforts
 from ..errors import SingularError, UsageError
 from ..robot_model import RobotModel
 from ..spec.ranges import within

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from .. import notebook
-from ..algorithms.travels import efforts
 from ..arguments import Given, Numbers
 from ..backends.numpy.closing import OpenLoopError, closed_softly
+from ..backends.numpy.travel_numbers import efforts
 from ..errors import UsageError
 from ..lazily import linalg
 from ..robot_model import RobotModel

@@ -7,8 +7,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ..algorithms.travels import travels
 from ..backends.numpy.dae_step import SERIES
+from ..backends.numpy.travel_numbers import travels
 from ..errors import SingularError
 from ..lazily import optimize
 from ..robot_model import RobotModel

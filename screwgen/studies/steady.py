@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..algorithms.travels import efforts
 from ..arguments import Numbers
 from ..backends.numpy import prescribed
 from ..backends.numpy.dae_step import SERIES
+from ..backends.numpy.travel_numbers import efforts
 from ..errors import SingularError, UsageError
 from ..lazily import linalg
 from ..robot_model import RobotModel

@@ -7,8 +7,8 @@ import numpy as np
 from ..algorithms.axis_laws import of_robot
 from ..algorithms.columns import columns
 from ..algorithms.law_programs import forces, on_arrays
-from ..algorithms.travels import travels
 from ..arguments import Numbers
+from ..backends.numpy.travel_numbers import travels
 from ..ir.replay import run
 from ..robot_model import RobotModel
 

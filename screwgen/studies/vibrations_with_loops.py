@@ -9,7 +9,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..algorithms.travels import efforts
+from ..backends.numpy.travel_numbers import efforts
 from ..lazily import linalg
 from ..robot_model import RobotModel
 from ..simulation.definiteness import check_definite

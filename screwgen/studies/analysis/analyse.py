@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from ...algorithms.travels import efforts
 from ...backends.numpy.closing import OpenLoopError, closed, moving
 from ...backends.numpy.dae_step import SERIES
+from ...backends.numpy.travel_numbers import efforts
 from ...errors import SingularError, UsageError
 from ...robot_model import RobotModel
 from ...simulation.collocated import left_out

@@ -18,7 +18,7 @@ WITHOUT_UNIT = set(
     shear_y shear_z frequencies ratio axes mount at order stations between segments profile tube rod box nu body sid npz
     interface base tip parent drives friction load memory stribeck bend transmission four_bar branch limits elements
     loops couplings axis of markers points tendons from to actuated actuation brake forces pushes rest
-    dahl ductility""".split()
+    dahl ductility base_acceleration""".split()
 ) | set(INTERACTIONS)
 """Keys that are no physical quantity in some table."""
 IN_PLACES = {"slide", "screw", "pitch", "world"}

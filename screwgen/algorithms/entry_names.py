@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
-from ..spec.inputs import KIND, OTHERS, places
+from ..spec.inputs import OTHERS, WORD, places
 from ..spec.parameters import coordinate_names
 from ..spec.tendons import TENSIONS
 from ..topology.chain import Chain
@@ -79,7 +79,7 @@ def of_input(name: str, what: str) -> str:
 
     Of a brake `arm.brake_power[0]`.
     """
-    told, count = KIND.subn(lambda found: f".{OWN.get(found[1], '')}{what}", name)
+    told, count = WORD.subn(lambda found: f".{OWN.get(found[1], '')}{what}", name)
     return told if count else f"{name}.{what}"
 
 

@@ -16,7 +16,7 @@ from ..errors import UsageError, one_line
 from ..robot_model import RobotModel
 from ..simulation.motion import modal_columns, tip_deflections, twist
 from ..simulation.runs import Run, segments
-from ..spec.inputs import KIND, OTHERS, input_units, places
+from ..spec.inputs import OTHERS, WORD, input_units, places
 from ..spec.modes import DIRECTIONS
 from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
@@ -125,8 +125,8 @@ def _panel_of_inputs(run: Run, title: str, symbol: str, unit: str, array: str, k
 
 
 def _names(run: Run, kept: Sequence[int]) -> list[str]:
-    """The names of inputs without the words of their kind."""
-    return [KIND.sub("", run.tau_names[k]) for k in kept]
+    """The names of inputs without the words of their kind, where those tell nothing apart."""
+    return [WORD.sub("", run.tau_names[k]) for k in kept]
 
 
 def _reported(run: Run) -> Iterator[Panel]:

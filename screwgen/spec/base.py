@@ -63,6 +63,36 @@ class BaseMotion(Input):
 BASE_MOTION = BaseMotion()
 
 
+class BaseAcceleration(Input):
+    """The acceleration of a base that carries the robot, m/s², inertial axes; its passenger sees free fall without it.
+
+    Coordinates, energies and power are those that the passenger sees.
+    """
+
+    words = "an accelerated base"
+    kinds = ("acceleration_x", "acceleration_y", "acceleration_z")
+    apart = True
+    quantity = "gravity"
+    title = "Acceleration of the base"
+    letter = "a"
+
+    def names(self, robot: Robot) -> list[str]:
+        return [f"base.{kind}" for kind in self.kinds] if robot.base_acceleration else []
+
+    def units(self, robot: Robot) -> list[str]:
+        return ["m/s²"] * len(self.names(robot))
+
+    def lines(self, chain: Any, first: int) -> list[InputLine]:
+        about = "the base, which accelerates along the inertial ${}$ axis"
+        return [InputLine(f"u_{{{k}}}", about.format(axis)) for k, axis in enumerate("xyz", first)]
+
+    def free_fall(self, entries: Sequence) -> list:
+        return [-a for a in entries]
+
+
+BASE_ACCELERATION = BaseAcceleration()
+
+
 class Jointed(Named, Protocol):
     """What this module reads of a link."""
 
@@ -84,3 +114,10 @@ def check_in_space(links: Sequence[Jointed], base: str) -> None:
         if carriers[i] < 0:
             what = f"is the world, but of a robot with base = \"{base}\" only the first link, '{links[0].name}'"
             raise refuse(f"{what}, may be on it; name the link that carries this one", at=("links", i, "parent"))
+
+
+def check_accelerated(accelerates: bool, base: str) -> None:
+    """Refuses an accelerated base of a robot whose base is no carrier: its own motion is state, or given already."""
+    if accelerates and base != FIXED:
+        what = f'is stated of a robot with base = "{base}", but only a fixed base is carried by what accelerates'
+        raise refuse(f'{what}; leave it out, or write base = "{FIXED}"', at=("base_acceleration",))

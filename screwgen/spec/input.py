@@ -41,6 +41,9 @@ class Input:
     """What they are, as in "robot 'arm' has tendons"."""
     kinds: ClassVar[tuple[str, ...]] = ()
     """The words behind the owner in the names of the product's own, as `torque` in `arm.torque[0]`."""
+    apart: ClassVar[bool] = False
+    """Whether these words tell the entries of one owner apart, as `acceleration_x`, so that names of what belongs to an
+    entry keep them, as `base.acceleration_x.power`; elsewhere owner and number do, as in `arm.power[0]`."""
     own: ClassVar[str] = ""
     """What the names of what belongs to them begin with, where something else of the axis is called so, as `brake_`."""
     signal: ClassVar[str] = ""

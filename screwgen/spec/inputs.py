@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from ..errors import UsageError
-from .base import BASE_MOTION
+from .base import BASE_ACCELERATION, BASE_MOTION
 from .brake import BRAKES
 from .forces import FORCE_INPUTS
 from .input import Input, InputLine
@@ -61,10 +61,18 @@ class Torques(Input):
 
 
 TORQUES = Torques()
-OTHERS: tuple[Input, ...] = (TENSIONS, BRAKES, BASE_MOTION, FORCE_INPUTS)
+OTHERS: tuple[Input, ...] = (TENSIONS, BRAKES, BASE_MOTION, BASE_ACCELERATION, FORCE_INPUTS)
 """Those that a robot file may state besides."""
-KIND = re.compile(rf"\.({'|'.join(kind for row in (TORQUES, *OTHERS) for kind in row.kinds)})(?=\[|$)")
+
+
+def _kind_in(rows: Sequence[Input]) -> re.Pattern[str]:
+    return re.compile(rf"\.({'|'.join(kind for row in rows for kind in row.kinds)})(?=\[|$)")
+
+
+KIND = _kind_in((TORQUES, *OTHERS))
 """The kind of an input in its name."""
+WORD = _kind_in([row for row in (TORQUES, *OTHERS) if not row.apart])
+"""The same where the name tells whose input it is without it."""
 
 
 def inputs(robot: Robot) -> tuple[Input, ...]:

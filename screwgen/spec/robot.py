@@ -11,7 +11,8 @@ from pydantic import Field, PlainSerializer, PlainValidator, model_validator
 
 from ..errors import UsageError
 from ..joints.screw import Vector
-from .base import FIXED, FLOATING, MOVING, check_in_space
+from .balls import refuse_beside_balls
+from .base import FIXED, FLOATING, MOVING, check_accelerated, check_in_space
 from .couplings import Coupling, refuse_couplings
 from .forces import Force, Push, forces_of_loops, refuse_forces
 from .frequencies import Frequencies
@@ -202,8 +203,8 @@ class Robot(Part):
 
     Without `parent` a link is carried by the one before it: a chain. `gravity` (m/s²) is the acceleration of free fall
     in the inertial frame. `section_rotation`: the next link follows the slope of the tip (true by default). `base`:
-    "floating" leaves the first link free in space, which then has no joint axes; "moving" moves it as is given. A loop
-    can build a robot of any number of links:
+    "floating" leaves the first link free in space, which then has no joint axes; "moving" moves it as is given.
+    `base_acceleration`: three inputs accelerate a fixed base. A loop can build a robot of any number of links:
 
         Robot(name="arm", gravity=(0, 0, -9.81), links=[Link(name=f"link{i}", ...) for i in range(40)])
     """
@@ -222,6 +223,9 @@ class Robot(Part):
         FIXED,
         description='"fixed"; "floating": the first link moves freely, its pose is part of the state; "moving": the '
         "same, but its motion is given, by accelerations as inputs",
+    )
+    base_acceleration: Annotated[bool, PlainValidator(boolean)] = Field(
+        False, description="whether what carries a fixed base accelerates, by three inputs in m/s² along inertial axes"
     )
     links: tuple[Link, ...] = Field(description="at least one [[links]] table")
     loops: tuple[Loop, ...] = Field((), description="joints between markers of two links, [[loops]] tables")
@@ -283,6 +287,7 @@ class Robot(Part):
             raise refuse("is empty; state at least one [[links]] table", at=("links",))
         distinct([link.name for link in self.links])
         check_markers(self.links)
+        check_accelerated(self.base_acceleration, self.base)
         if self.floating:
             check_in_space(self.links, self.base)
         refuse_axes(self)
@@ -314,20 +319,6 @@ class Robot(Part):
                 if link.section and link.modes.alike(direction) > (carries and self.section_rotation):
                     require(link.section, needed, direction, ("links", i))
         return self
-
-
-def refuse_beside_balls(robot: Robot) -> None:
-    """Refuses what closes the tree of a robot with ball joints, which is not known in one robot yet."""
-    ball = next((link for link in robot.links if link.joint.kind.curved), None)
-    if ball is None:
-        return
-    joint = f"a {ball.joint.kind.name} joint, that of link '{ball.name}'"
-    beside = f"is stated of a robot with {joint}, beside which it is not known yet"
-    axes = '["y", "z"], or ["x", "y", "z"] where something resists its spin'
-    beside += f"; leave it out, or give '{ball.name}' axes in place of \"ball\": {axes}"
-    for name, stated in (("loops", robot.rigid_loops), ("couplings", robot.couplings)):
-        if stated:
-            raise refuse(beside, at=(name,))
 
 
 def stiffened(link: Link, directions: tuple[str, ...]) -> Link:

@@ -1,4 +1,4 @@
-"""A kind of input that the product does not contain: the acceleration of the base of an arm.
+"""A kind of input made in Python: the acceleration of a ship that carries an arm.
 
 The same arm with another gravity is the judge, and the arm on a cart that is driven with the acceleration.
 """
@@ -26,7 +26,7 @@ class BaseAcceleration(Input):
     quantity = "gravity"
 
     def names(self, robot):
-        return [f"base.acceleration_{x}" for x in "xyz"]
+        return [f"ship.{x}" for x in ("surge", "sway", "heave")]
 
     def units(self, robot):
         return ["m/s²"] * 3
@@ -99,7 +99,7 @@ def test_its_power_is_what_the_passenger_sees_the_arm_gain():
     assert gained[-1] == pytest.approx(simpson(run.drive_power.sum(axis=1), x=run.t), rel=1e-7)
     shown = {panel.title: panel for panel in panels(run)}
     assert shown["Other inputs"].unit == "m/s²" and "3 other inputs" in repr(run)
-    assert run.names_of("drive_power")[3:] == tuple(f"base.acceleration_{x}.power" for x in "xyz")
+    assert run.names_of("drive_power")[3:] == tuple(f"ship.{x}.power" for x in ("surge", "sway", "heave"))
 
 
 def test_sensors_equilibria_and_scales_know_it():

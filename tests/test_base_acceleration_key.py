@@ -150,3 +150,9 @@ def test_a_base_that_floats_or_is_moving_refuses_it(base, tmp_path, capsys):
     said = capsys.readouterr().err.strip()
     assert len(said.splitlines()) == 1
     assert all(x in said for x in ("boat.toml: base_acceleration", f'base = "{base}"', "leave it out"))
+
+
+def test_a_urdf_leaves_it_out_and_says_so(tmp_path, capsys):
+    (tmp_path / "arm.toml").write_text(screwgen.dump(pair("flexible").model.robot), encoding="utf-8")
+    assert main(["export", str(tmp_path / "arm.toml"), "-o", str(tmp_path / "arm.urdf")]) == 0
+    assert "base_acceleration is left out" in capsys.readouterr().err

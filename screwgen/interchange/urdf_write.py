@@ -87,9 +87,10 @@ class _Writer:
     def _robot_notes(self) -> None:
         robot = self.robot
         if tuple(robot.gravity) != GRAVITY:
-            self.notes.append(
-                f"gravity = {list(robot.gravity)} is left out; where it is read again, state it in a side file"
-            )
+            said = f"gravity = {list(robot.gravity)} is left out"
+            self.notes.append(f"{said}; where it is read again, state it in a side file")
+        if robot.base_acceleration:
+            self.notes.append("base_acceleration is left out; a URDF has no inputs but drives")
         if robot.loops:
             self.notes.append(f"{len(robot.loops)} loops are left out; a URDF is a tree")
         for name in ("forces", "pushes"):

@@ -115,7 +115,9 @@ def arm_of(row: Row) -> dict:
         hull = {"name": "hull", "length": 0.3, "section": {"rhoA": 5.0, "rhoIp": 0.05}, "joint": {"axes": []}}
         boom["parent"] = "hull"
         robot["links"].insert(0, hull | {"bodies": [HULL_BODY]})
-    if row["base"] != "fixed":
+    if row["base"] == "accelerated":
+        robot["base_acceleration"] = True
+    elif row["base"] != "fixed":
         robot["base"] = "moving" if row["base"] == "moving" else "floating"
     if row["base"] == "afloat":
         boom["joint"] = {"axes": []}
@@ -282,6 +284,6 @@ def _leader(row: Row) -> str:
 def _post(row: Row) -> dict:
     """What a loop joins to the tip of the fore: a link of three axes beside the boom."""
     joint = {"axes": ["z", "y", "x"], "mount": {"xyz": [0.1, 0.3, 0.1]}}
-    carrier = {"fixed": {"parent": "world"}, "afloat": {"parent": "boom", "at": "base"}}
+    carrier = {"floating": {"parent": "hull"}, "moving": {"parent": "hull"}, "afloat": {"parent": "boom", "at": "base"}}
     post = {"name": "post", "length": 0.4, "section": {"rhoA": 1.4, "rhoIp": 8e-3}, "joint": joint}
-    return post | carrier.get(row["base"], {"parent": "hull"})
+    return post | carrier.get(row["base"], {"parent": "world"})

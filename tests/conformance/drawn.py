@@ -61,7 +61,7 @@ def _drawn(rng, row: Row, robot: dict, oracle: Oracle, before: Judge | None) -> 
 def _mild(rng, row: Row, robot: dict, oracle: Oracle, state: dict) -> None:
     """Postures that transmissions reach, couplings keep and Euler angles have."""
     q, tau, names = state["q"], state["tau"], [x["name"] for x in oracle.robot["links"]]
-    floating = row["base"] != "fixed"
+    floating = "base" in robot
     if floating:
         q[3:6] = rng.uniform(-ANGLE, ANGLE, 3)
         tau[:6] *= row["base"] == "moving"

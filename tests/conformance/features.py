@@ -18,6 +18,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "floating": "a floating base, a rigid body that carries the arm",
         "afloat": "a floating base that is itself a flexible link",
         "moving": "a base that moves as is given, a rigid body that carries the arm",
+        "accelerated": "a base that accelerates as is given, `base_acceleration = true`",
     },
     "turn": {
         "hinge": "",

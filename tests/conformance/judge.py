@@ -24,7 +24,7 @@ from conformance.bristles import Bristles
 from conformance.limited import DriveLimits
 from conformance.outer import Outer
 from conformance.tendons import tendon_length
-from conformance.twin import axes_of, first_piece
+from conformance.twin import ACCELERATION, axes_of, first_piece
 
 CONDITION = 1e8
 DEFINITE = 1e-5
@@ -270,7 +270,7 @@ class Judge:
             lever = (self.oracle._force(tau + unit, q) - self.oracle._force(tau, q))[one.place]
             torques[one.axis] -= reaction / lever
         rates = np.append(self.map @ v, self.internal)
-        base = self.vdot[: 6 * self.led]
+        base = ACCELERATION if "base_acceleration" in self.robot else self.vdot[: 6 * self.led]
         inputs = np.concatenate([torques, self.tensions, self.closed, base, self.outer.winches.ravel()])
         return q_out, rates, inputs, self.outer.laid(w_ext, self.pushes)
 
@@ -288,13 +288,19 @@ class Judge:
         return np.concatenate([out, self.bristles.rates(v), self.acted[4][:, 0], self.limits.rates(torques)])
 
     @cached_property
+    def at_rest(self) -> Oracle:
+        """The oracle of a base that inputs do not accelerate."""
+        apart = "base_acceleration" in self.robot
+        return Oracle(self.twin | {"gravity": self.robot["gravity"]}) if apart else self.oracle
+
+    @cached_property
     def forces(self) -> np.ndarray:
         """(nv,): the generalised forces of the motion in the open tree without inputs, those of springs among them."""
         q, v, w_ext = (self.state[name] for name in ("q", "v", "w_ext"))
         own = self.acting(q, np.zeros(len(self.tensions)))[0].full()[:, 0]
         own = own + self._acted(0 * self.outer.winches)[0][:, 0]
         own = own + self.bristles.forces(v)
-        found = self.oracle.inverse_dynamics(q, v, self.motion[0], w_ext) - own
+        found = self.at_rest.inverse_dynamics(q, v, self.motion[0], w_ext) - own
         return np.linalg.solve(self.map.T, found)
 
     @cached_property
@@ -316,7 +322,7 @@ class Judge:
     @cached_property
     def energy(self) -> tuple[float, float]:
         """Kinetic and potential, J, up to the constant of gravity."""
-        kinetic, potential = self.oracle.energy(self.state["q"], self.state["v"])
+        kinetic, potential = self.at_rest.energy(self.state["q"], self.state["v"])
         acting = float(self.acting(self.state["q"], self.tensions)[1]) + self.acted[1].item()
         return kinetic, potential + acting + self.bristles.energy
 

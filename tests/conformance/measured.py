@@ -29,7 +29,7 @@ def sensors(case: Case) -> None:
         near(rotation, wanted[0], case.tolerance, f"rotation of {marker.name}")
         near(place, wanted[1], case.tolerance, f"place of {marker.name}")
     vdot = f.forward_dynamics(q, v, tau, w_ext)[0]
-    twist, gravity = f.marker_velocity(q, v), np.array(case.robot["gravity"])
+    twist, gravity = f.marker_velocity(q, v), np.array(case.judge.twin["gravity"])
     rates = in_time(case, vdot, lambda q, v: np.concatenate([np.ravel(x) for x in f.marker_pose(q)]))
     turn, move = np.split(rates, [9 * len(R)])
     spin = np.einsum("kji,kjl->kil", R, turn.reshape(R.shape))
@@ -139,7 +139,7 @@ def validity(case: Case) -> None:
     rates = judge.oracle.link_twist_rates(state["q"], state["v"], judge.motion[0])
     tips = np.split(judge.oracle.tip_twists(state["q"], state["v"]), 2, axis=1)
     tip_rates = np.split(judge.oracle.tip_twist_rates(state["q"], state["v"], judge.motion[0]), 2, axis=1)
-    gravity = np.array(case.robot["gravity"])
+    gravity = np.array(case.judge.twin["gravity"])
     found = np.reshape(case.model.numpy().validity(q, v, tau, w_ext), (-1, 4))[judge.outer.links]
     parents, loads = parents_of(links), judge.state["w_ext"] + judge.motion[1] + judge.acted[2].T
     loaded, wrench = {row.place.link for row in judge.outer.rows if row.place.s < 1.0}, judge.wrench[judge.outer.links]

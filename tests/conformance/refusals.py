@@ -24,7 +24,8 @@ class Refusal(NamedTuple):
 
 LOOPED = ("ball loop", "hinge loop", "slide loop", "welded loop", "coupling")
 TWISTED = ("elastic cylinder", "elastic four-bar")
-NOT_PLANNED = ("floating", "afloat", "moving", "ball", "bristles", "Dahl", "limited rate", *LOOPED, "winch")
+NOT_PLANNED = ("floating", "afloat", "moving", "accelerated", "ball", "bristles", "Dahl", "limited rate", *LOOPED)
+NOT_PLANNED += ("winch",)
 NOT_PREDICTED = (
     "floating",
     "afloat",

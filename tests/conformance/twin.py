@@ -15,6 +15,9 @@ from oracle_floating import JOINTS, TURNS
 from oracle_link import read_link
 from oracle_sections import property_at
 
+ACCELERATION = (0.8, -1.3, 2.1)
+"""That of an accelerated base, m/s², inertial axes; to the oracle free fall is another there."""
+
 
 def as_pieces(robot: dict) -> dict:
     """The robot with a link for each segment: sections, places and tendons of a link are shared out among its own."""
@@ -141,6 +144,8 @@ def as_turns(robot: dict) -> dict:
     loops = [x for x in robot.pop("loops", []) if "stiffness" not in x["joint"]]
     robot |= {"loops": loops} if loops else {}
     couplings = [x | {key: moved(x[key]) for key in ("axis", "of")} for x in robot.get("couplings", [])]
+    if robot.pop("base_acceleration", False):
+        robot["gravity"] = [g - a for g, a in zip(robot["gravity"], ACCELERATION, strict=True)]
     return {key: x for key, x in robot.items() if key != "base"} | ({"couplings": couplings} if couplings else {})
 
 

@@ -39,8 +39,7 @@ PARTS = ("base", "joints", "rotors", "modes", "internal")
 class Judge:
     """A robot in a state: `given` (q, v, tau, w_ext) as the product takes them, `state` those of the oracle.
 
-    `twin` is the robot of the oracle; where its loops are closed in the state, so are their rates.
-    `rows`: its loops and couplings, where another judge of the same oracle has them.
+    `twin` is the oracle's robot; where its loops are closed, so are their rates. `rows`: its loops, if known already.
     """
 
     def __init__(self, robot: dict, twin: dict, oracle: Oracle, state: dict, rows: Loops | None = None):
@@ -290,8 +289,8 @@ class Judge:
     @cached_property
     def at_rest(self) -> Oracle:
         """The oracle of a base that inputs do not accelerate."""
-        apart = "base_acceleration" in self.robot
-        return Oracle(self.twin | {"gravity": self.robot["gravity"]}) if apart else self.oracle
+        own = self.twin | {"gravity": self.robot["gravity"]}
+        return Oracle(own) if own != self.twin else self.oracle
 
     @cached_property
     def forces(self) -> np.ndarray:

@@ -174,7 +174,7 @@ class _Writer:
         """The robot that is a link alone, afloat."""
         update = {"joint": Joint(axes=()), "parent": None, "at": "tip", "frame_at": None}
         alone = {"links": (link.model_copy(update=update),), "base": FLOATING, "gravity": (0.0, 0.0, 0.0)}
-        return self.robot.model_copy(update={**alone, **dict.fromkeys(OF_SEVERAL, ())})
+        return self.robot.model_copy(update={**alone, **dict.fromkeys(OF_SEVERAL, ()), "base_acceleration": False})
 
     def _shapes(self, i: int, link: Link) -> Iterator[list[str]]:
         """A ball at the joint, cylinders along the link and from it to the joints that it carries, boxes for bodies."""

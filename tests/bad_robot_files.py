@@ -96,7 +96,7 @@ WRONG = [  # what stands in GOOD, what replaces it, the key path of the message,
     ("-9.81", "2024-02-29", "gravity[2]", "is a date or time; it must be a number"),
     ("section_rotation = true", "section_rotation = 1", "section_rotation", "is 1; it must be true or false"),
     ("section_rotation", "section_rotatoin", "section_rotatoin", "did you mean section_rotation?"),
-    ("section_rotation", '"a\\nb"', r'"a\nb"', "known here: name, gravity, section_rotation, order, base, links"),
+    ("section_rotation", '"a\\nb"', r'"a\nb"', "order, base, base_acceleration, links"),
     ("section_rotation", "Gravity", "Gravity", "did you mean gravity?"),
     # the links
     (GOOD[GOOD.index("[[links]]") :], "", "links", "is missing; state at least one [[links]] table"),
